@@ -1,0 +1,171 @@
+//! THE list of scenes: the shell, the page, tests and benchmarks take theirs from here.
+
+use std::fmt;
+
+use serde::{Deserialize, Serialize};
+
+use crate::random::Random;
+use crate::tower::{self, TowerOptions, tower};
+use crate::{Block, BlockPreset, Scene, overlap, standard_gravity};
+
+/// Whether a tower stands.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "lowercase")]
+pub enum Verdict {
+    /// It stands.
+    Stable,
+    /// It falls.
+    Unstable,
+}
+
+impl fmt::Display for Verdict {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(match self {
+            Verdict::Stable => "stable",
+            Verdict::Unstable => "unstable",
+        })
+    }
+}
+
+/// A scene with a name.
+#[derive(Debug, Clone, Copy)]
+pub struct NamedScene {
+    /// What it is called.
+    pub name: &'static str,
+    /// What it shows.
+    pub title: &'static str,
+    /// The exact answer for rigid blocks, where there is one.
+    pub expect: Option<Verdict>,
+    /// Builds it, without the name and the label.
+    build: fn() -> Scene,
+}
+
+impl NamedScene {
+    /// The scene.
+    pub fn scene(&self) -> Scene {
+        Scene { name: self.name.to_owned(), label: self.expect.map(|v| v.to_string()), ..(self.build)() }
+    }
+}
+
+use Verdict::{Stable, Unstable};
+
+const fn entry(name: &'static str, title: &'static str, expect: Option<Verdict>, build: fn() -> Scene) -> NamedScene {
+    NamedScene { name, title, expect, build }
+}
+
+/// All named scenes.
+pub const NAMED: &[NamedScene] = &[
+    entry("tower", "the tower of 18 rows that a game begins with", Some(Stable), || known(tower(&TowerOptions::default()))),
+    entry("official", "the same in blocks of 75 x 25 x 15 mm", Some(Stable), || {
+        known(tower(&TowerOptions { block: BlockPreset::Official, ..TowerOptions::default() }))
+    }),
+    entry("midgame", "a tower in the middle of a game, put together by hand", Some(Stable), midgame),
+    entry("test-1", "(010)-(010)-(010)-(010)-(010)-(010), the dissertation's first static test", Some(Stable), || {
+        exact("(010)-(010)-(010)-(010)-(010)-(010)")
+    }),
+    entry("test-2", "(001)-(010)-(001), its second: short of balance by 0.15 mm", Some(Unstable), || test_2(0.0)),
+    entry("test-2-in", "the second with the top block 1 mm further in: short of balance by 0.65 mm", Some(Unstable), || test_2(-1e-3)),
+    entry("test-2-out", "the second with the top block 1 mm further out: balanced, 0.35 mm to spare", Some(Stable), || test_2(1e-3)),
+    entry("test-3", "(001)-(101)-(001), its third", Some(Unstable), || exact("(001)-(101)-(001)")),
+    entry("test-4", "(100)-(010)-(001), its fourth", Some(Unstable), || exact("(100)-(010)-(001)")),
+    entry("test-5", "(010)-(010)-(011), its fifth", Some(Stable), || exact("(010)-(010)-(011)")),
+    entry("test-6", "(010)-(010)-(011)-(010)-(001), its sixth", Some(Stable), || exact("(010)-(010)-(011)-(010)-(001)")),
+    entry("loose", "six full rows with the loose blocks (L00)-(00L)-(00L)-(0L0)-(L0L)-(LLL)", Some(Stable), || {
+        known(tower::loose("(L00)-(00L)-(00L)-(0L0)-(L0L)-(LLL)", &TowerOptions::exact()))
+    }),
+    entry("block", "one block on the floor", Some(Stable), || stack(1)),
+    entry("column", "ten blocks, one upon the other", Some(Stable), || stack(10)),
+    entry("pile", "forty blocks let fall", None, pile),
+];
+
+/// The scene of that name.
+pub fn named(name: &str) -> Option<Scene> {
+    NAMED.iter().find(|n| n.name == name).map(NamedScene::scene)
+}
+
+fn known(built: Result<Scene, crate::SceneError>) -> Scene {
+    built.expect("a scene of the list is valid, which a test makes sure of")
+}
+
+fn exact(text: &str) -> Scene {
+    known(tower::config(text, &TowerOptions::exact()))
+}
+
+/// The dissertation's second test with its top block moved outwards by `out`, m.
+///
+/// The middle block and the top one balance on the inner edge of the bottom one, 13.7 mm from the axis, where their centre of mass is
+/// 27.1 / 2 = 13.55 mm from it: the real tower stood, for its top block lay a hair further out.
+fn test_2(out: f64) -> Scene {
+    let mut scene = exact("(001)-(010)-(001)");
+    scene.blocks[2].pos[1] += out;
+    scene
+}
+
+/// Blocks of nominal size on a floor, friction 0.4.
+fn blocks(blocks: Vec<Block>) -> Scene {
+    Scene {
+        name: String::new(),
+        gravity: standard_gravity(),
+        friction: 0.4,
+        kinetic_friction: None,
+        restitution: 0.0,
+        blocks,
+        label: None,
+        margin: None,
+        tilt_az: None,
+    }
+}
+
+fn nominal(id: u32, pos: [f64; 3], yaw: f64) -> Block {
+    let preset = BlockPreset::Dissertation;
+    Block { id, size: preset.size(), mass: preset.mass(), pos, yaw }
+}
+
+/// `n` blocks one upon the other, all along x.
+fn stack(n: u32) -> Scene {
+    let height = BlockPreset::Dissertation.size()[2];
+    blocks((0..n).map(|i| nominal(i, [0.0, 0.0, height * (f64::from(i) + 0.5)], 0.0)).collect())
+}
+
+/// Blocks in the air above each other, each turned and shifted at random.
+fn pile() -> Scene {
+    let mut random = Random::new(1);
+    let fall = |i: u32| {
+        let mut aside = || 0.03 * (2.0 * random.uniform() - 1.0);
+        let pos = [aside(), aside(), 0.03 + 0.025 * f64::from(i)];
+        nominal(i, pos, std::f64::consts::PI * random.uniform())
+    };
+    blocks((0..40).map(fall).collect())
+}
+
+/// How deep blocks that touch may seem to be inside each other, m.
+const ROUNDING: f64 = 1e-12;
+
+/// Blocks taken from the lower rows and put on top, none of them laid quite straight.
+fn midgame() -> Scene {
+    let text =
+        "(111)-(101)-(111)-(110)-(101)-(011)-(111)-(010)-(111)-(101)-(111)-(110)-(101)-(111)-(011)-(111)-(101)-(111)-(111)-(111)-(011)";
+    let mut scene = known(tower::config(text, &TowerOptions { seed: 2, ..TowerOptions::default() }));
+    let mut random = Random::new(2);
+    for i in 0..scene.blocks.len() {
+        let straight = scene.blocks[i].clone();
+        let along_x = straight.yaw == 0.0;
+        let mut slop = 1.0;
+        loop {
+            let (along, across, turn) = (random.clipped_normal(2.0), random.clipped_normal(2.0), random.clipped_normal(2.0));
+            let (along, across) = (1e-3 * slop * along, 0.5e-3 * slop * across);
+            let (dx, dy) = if along_x { (along, across) } else { (across, along) };
+            let block = &mut scene.blocks[i];
+            block.pos = [straight.pos[0] + dx, straight.pos[1] + dy, straight.pos[2]];
+            block.yaw = straight.yaw + 0.01 * slop * turn;
+            // Also clear of the straight places of those that come after, so that each finds its own free.
+            let moved = &scene.blocks[i];
+            if scene.blocks.iter().all(|other| other.id == moved.id || overlap::depth(other, moved) < ROUNDING) {
+                break;
+            }
+            // A narrow place takes a straighter hand.
+            slop *= 0.9;
+        }
+    }
+    scene
+}

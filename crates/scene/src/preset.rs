@@ -1,0 +1,81 @@
+//! The blocks that towers are built from.
+
+use std::fmt;
+use std::str::FromStr;
+
+use serde::{Deserialize, Serialize};
+
+use crate::SceneError;
+
+/// A make of block.
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "lowercase")]
+pub enum BlockPreset {
+    /// 81 x 26.8 x 18 mm, 19.6 g, 0.3 mm between the three of a row: as measured for the dissertation. A row is exactly as wide as a block is long.
+    #[default]
+    Dissertation,
+    /// 75 x 25 x 15 mm, the size that the game is sold in, at the same density: 14.1 g.
+    ///
+    /// Its width is a third of its length, so three side by side leave no room for a gap. The blocks keep their nominal width and stand 0.2 mm apart;
+    /// a row is then 75.4 mm wide and overhangs the blocks below it by 0.2 mm a side.
+    Official,
+}
+
+impl BlockPreset {
+    /// All of them.
+    pub const ALL: [BlockPreset; 2] = [BlockPreset::Dissertation, BlockPreset::Official];
+
+    /// Length, width and height, m.
+    pub fn size(self) -> [f64; 3] {
+        match self {
+            BlockPreset::Dissertation => [0.081, 0.0268, 0.018],
+            BlockPreset::Official => [0.075, 0.025, 0.015],
+        }
+    }
+
+    /// Mean mass, kg.
+    pub fn mass(self) -> f64 {
+        match self {
+            BlockPreset::Dissertation => 0.0196,
+            BlockPreset::Official => 0.0141,
+        }
+    }
+
+    /// Standard deviation of the mass, kg: as measured on the dissertation's blocks, in proportion for the others.
+    pub fn mass_sd(self) -> f64 {
+        match self {
+            BlockPreset::Dissertation => 0.00185,
+            BlockPreset::Official => 0.00185 * (0.0141 / 0.0196),
+        }
+    }
+
+    /// Distance between the centres of neighbours in a row, m.
+    pub fn pitch(self) -> f64 {
+        match self {
+            BlockPreset::Dissertation => 0.0271,
+            BlockPreset::Official => 0.0252,
+        }
+    }
+
+    /// Its name.
+    pub fn name(self) -> &'static str {
+        match self {
+            BlockPreset::Dissertation => "dissertation",
+            BlockPreset::Official => "official",
+        }
+    }
+}
+
+impl fmt::Display for BlockPreset {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(self.name())
+    }
+}
+
+impl FromStr for BlockPreset {
+    type Err = SceneError;
+
+    fn from_str(text: &str) -> Result<Self, SceneError> {
+        Self::ALL.into_iter().find(|p| p.name() == text).ok_or_else(|| SceneError::UnknownPreset(text.to_owned()))
+    }
+}

@@ -1,0 +1,191 @@
+//! What is wrong with a scene is said in one line that names the block, the field and what was expected.
+
+use serde_json::{Value, json};
+use teeter_scene::{MAX_BLOCKS, Scene, SceneError};
+
+fn good() -> Value {
+    json!({"name": "two", "gravity": 9.81, "friction": 0.4, "restitution": 0.0, "family": "unknown fields are passed over", "blocks": [
+        {"id": 7, "size": [0.081, 0.0268, 0.018], "mass": 0.0196, "pos": [0.0, 0.0, 0.009], "yaw": 0.0},
+        {"id": 9, "size": [0.081, 0.0268, 0.018], "mass": 0.0196, "pos": [0.0, 0.0, 0.027], "yaw": 0.3}]})
+}
+
+fn fault(text: &str) -> String {
+    let error = Scene::from_json(text).expect_err(text).to_string();
+    assert!(!error.contains('\n'), "{error:?}");
+    error
+}
+
+/// Puts a value where it may be a fault.
+type Spoil = fn(&mut Scene, f64);
+
+/// The fault of the good scene with one value changed, or taken away.
+fn with(pointer: &str, value: Option<Value>) -> String {
+    let mut scene = good();
+    let (parent, key) = pointer.rsplit_once('/').unwrap();
+    match (value, scene.pointer_mut(parent).unwrap()) {
+        (Some(v), _) => *scene.pointer_mut(pointer).unwrap_or_else(|| panic!("{pointer}")) = v,
+        (None, Value::Object(o)) => drop(o.remove(key).unwrap()),
+        (None, other) => panic!("{other} has no fields"),
+    }
+    fault(&scene.to_string())
+}
+
+#[test]
+fn the_good_scene_is_good() {
+    let scene = Scene::from_json(&good().to_string()).unwrap();
+    assert_eq!(scene.blocks.len(), 2);
+    let mut plain = good();
+    for optional in ["gravity", "restitution"] {
+        plain.as_object_mut().unwrap().remove(optional);
+    }
+    plain["blocks"][0].as_object_mut().unwrap().remove("yaw");
+    assert_eq!(Scene::from_json(&plain.to_string()).unwrap(), scene);
+    assert!(Scene::from_json(&format!("\u{feff}{}\r\n", good())).is_ok(), "a byte order mark is no fault");
+}
+
+#[test]
+fn missing_fields() {
+    for field in ["name", "friction", "blocks"] {
+        let error = with(&format!("/{field}"), None);
+        assert!(error.starts_with(&format!("missing field `{field}` (line 1")), "{error}");
+    }
+    for field in ["id", "size", "mass", "pos"] {
+        let error = with(&format!("/blocks/1/{field}"), None);
+        let block = if field == "id" { "block at place 1 of the list" } else { "block 9" };
+        assert!(error.starts_with(&format!("{block}: missing field `{field}` (line 1")), "{error}");
+    }
+}
+
+#[test]
+fn values_of_the_wrong_kind() {
+    assert!(with("/blocks/1/mass", Some(json!("heavy"))).starts_with("block 9: `mass`: invalid type: string \"heavy\", expected f64"));
+    assert!(with("/blocks/1/pos", Some(json!([0.0, 1.0]))).starts_with("block 9: `pos`: invalid length 2"));
+    assert!(with("/blocks/1/id", Some(json!(-1))).starts_with("block at place 1 of the list: `id`: invalid value: integer `-1`"));
+    assert!(with("/friction", Some(Value::Null)).starts_with("`friction`: invalid type: null"));
+    assert!(with("/blocks", Some(json!({}))).starts_with("`blocks`: invalid type: map, expected a sequence"));
+}
+
+#[test]
+fn not_finite() {
+    for field in ["mass", "yaw"] {
+        let error = with(&format!("/blocks/0/{field}"), Some(Value::Null));
+        assert!(error.starts_with(&format!("block 7: `{field}`: invalid type: null, expected f64")), "{error}");
+    }
+    for field in ["size", "pos"] {
+        let error = with(&format!("/blocks/0/{field}/1"), Some(Value::Null));
+        assert!(error.starts_with(&format!("block 7: `{field}[1]`: invalid type: null")), "{error}");
+    }
+    let text = good().to_string();
+    let error = fault(&text.replacen("0.0196", "1e999", 1));
+    assert!(error.contains("`mass`: number out of range"), "{error}");
+    let error = fault(&text.replacen("0.0196", "NaN", 1));
+    assert!(error.contains("this is not JSON: expected value"), "{error}");
+    for bad in [f64::NAN, f64::INFINITY, f64::NEG_INFINITY] {
+        let base = Scene::from_json(&text).unwrap();
+        let spoilt: [(&str, Spoil); 8] = [
+            ("block 7: `size`", |s, x| s.blocks[0].size[2] = x),
+            ("block 7: `mass`", |s, x| s.blocks[0].mass = x),
+            ("block 7: `pos`", |s, x| s.blocks[0].pos[0] = x),
+            ("block 7: `yaw`", |s, x| s.blocks[0].yaw = x),
+            ("`gravity`", |s, x| s.gravity = x),
+            ("`friction`", |s, x| s.friction = x),
+            ("`kinetic_friction`", |s, x| s.kinetic_friction = Some(x)),
+            ("`tilt_az`", |s, x| s.tilt_az = Some(x)),
+        ];
+        for (place, spoil) in spoilt {
+            let mut scene = base.clone();
+            spoil(&mut scene, bad);
+            let error = scene.validate().unwrap_err().to_string();
+            assert!(error.starts_with(&format!("{place} is ")), "{error}");
+        }
+    }
+}
+
+#[test]
+fn values_out_of_range() {
+    for bad in [0.0, -0.01, 10.5, 1e-4] {
+        let error = with("/blocks/1/size/1", Some(json!(bad)));
+        assert_eq!(error, format!("block 9: `size` is [0.081, {bad}, 0.018] m, expected three lengths of 0.001 to 10 m"));
+    }
+    for bad in [0.0, -1.0] {
+        assert_eq!(with("/blocks/1/mass", Some(json!(bad))), format!("block 9: `mass` is {bad} kg, expected above 0 and at most 10000 kg"));
+    }
+    for (field, bad, expected) in [
+        ("gravity", -1.0, "0 to 100 m/s²"),
+        ("gravity", 101.0, "0 to 100 m/s²"),
+        ("friction", -0.1, "0 to 2"),
+        ("friction", 2.1, "0 to 2"),
+        ("restitution", 1.1, "0 to 1"),
+    ] {
+        assert_eq!(with(&format!("/{field}"), Some(json!(bad))), format!("`{field}` is {bad}, expected {expected}"));
+    }
+    let mut scene = good();
+    scene["kinetic_friction"] = json!(0.5);
+    assert_eq!(fault(&scene.to_string()), "`kinetic_friction` is 0.5, expected at most `friction`, 0.4");
+    scene["kinetic_friction"] = json!(0.3);
+    assert_eq!(Scene::from_json(&scene.to_string()).unwrap().kinetic_friction, Some(0.3));
+    scene["label"] = json!("sturdy");
+    assert_eq!(fault(&scene.to_string()), "`label` is \"sturdy\", expected `stable` or `unstable`");
+    assert!(with("/blocks/1/pos/0", Some(json!(2000))).starts_with("block 9: `pos` is [2000, 0, 0.027] m, expected"));
+}
+
+#[test]
+fn blocks_where_no_block_can_be() {
+    let error = with("/blocks/0/pos/2", Some(json!(0.008)));
+    assert_eq!(error, "block 7: `pos` is 8.000 mm above the floor at its centre, expected at least half its height, 9.000 mm");
+    let error = with("/blocks/1/pos/2", Some(json!(0.0265)));
+    assert_eq!(error, "blocks 7 and 9: `pos` makes them overlap by 0.500 mm, expected at most 0.001 mm");
+    let mut touching = good();
+    touching["blocks"][1]["pos"][2] = json!(0.0269995);
+    assert!(Scene::from_json(&touching.to_string()).is_ok(), "half a micrometre is rounding");
+    let error = with("/blocks/1/id", Some(json!(7)));
+    assert_eq!(error, "block 7: `id` is used twice, by the blocks at places 0 and 1 of the list, expected one block an id");
+}
+
+#[test]
+fn too_few_and_too_many() {
+    assert_eq!(with("/blocks", Some(json!([]))), "`blocks` is a list of 0, expected 1 to 20000 blocks");
+    let mut scene = Scene::from_json(&good().to_string()).unwrap();
+    let block = scene.blocks[0].clone();
+    let put = |i: usize| {
+        let mut b = block.clone();
+        b.id = i as u32;
+        b.pos = [0.1 * (i % 150) as f64, 0.1 * (i / 150) as f64, 0.009];
+        b
+    };
+    scene.blocks = (0..MAX_BLOCKS).map(put).collect();
+    assert_eq!(scene.validate(), Ok(()));
+    scene.blocks.push(put(MAX_BLOCKS));
+    assert_eq!(scene.validate().unwrap_err().to_string(), "`blocks` is a list of 20001, expected 1 to 20000 blocks");
+}
+
+#[test]
+fn the_first_overlap_of_many_is_named() {
+    let mut scene = Scene::from_json(&good().to_string()).unwrap();
+    let block = scene.blocks[0].clone();
+    scene.blocks = (0..500).map(|i| teeter_scene::Block { id: 1000 - i, ..block.clone() }).collect();
+    assert!(matches!(scene.validate(), Err(SceneError::Overlap { a: 1000, b: 999, .. })));
+}
+
+#[test]
+fn no_scene_at_all() {
+    assert_eq!(fault(""), "the scene is empty, expected JSON");
+    assert_eq!(fault(" \n\t"), "the scene is empty, expected JSON");
+    assert_eq!(fault("[]"), "the scene is a JSON list, expected a JSON object with `name`, `friction` and `blocks`");
+    assert_eq!(fault("3"), "the scene is a JSON number, expected a JSON object with `name`, `friction` and `blocks`");
+    assert!(fault("hello").starts_with("this is not JSON: expected value (line 1, column 1)"));
+    assert!(fault("{\"name\": ").starts_with("this is not JSON: EOF while parsing a value"));
+    assert!(fault(&format!("{} x", good())).starts_with("this is not JSON: trailing characters"));
+    let error = fault(&format!("{{\"x\":{}", "[".repeat(100_000)));
+    assert!(error.starts_with("this is not JSON: EOF while parsing a list"), "{error}");
+    let error = fault(&format!("{{\"blocks\":{}", "[".repeat(100_000)));
+    assert!(error.starts_with("block at place 0 of the list: "), "{error}");
+}
+
+#[test]
+fn reading_stops_at_the_limit() {
+    let text = good().to_string();
+    assert!(Scene::read(text.as_bytes(), text.len() as u64).is_ok());
+    assert_eq!(Scene::read(std::io::repeat(b' '), 3_000_000), Err(SceneError::TooLarge { limit_mb: 3 }));
+    assert_eq!(Scene::read(&b"{\"name\": \"\xff\"}"[..], 100), Err(SceneError::NotUtf8(10)));
+}

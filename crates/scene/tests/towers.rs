@@ -1,0 +1,142 @@
+//! Towers from a seed: valid, free of overlap, and the same bits wherever they are built.
+
+use proptest::prelude::*;
+use teeter_scene::{Block, BlockPreset, Scene, TowerOptions, overlap, tower};
+
+fn any_tower() -> impl Strategy<Value = TowerOptions> {
+    let block = prop_oneof![Just(BlockPreset::Dissertation), Just(BlockPreset::Official)];
+    (1u32..=40, any::<u64>(), block, 0.0..1e-3f64, 0.0..=2.0f64).prop_map(|(rows, seed, block, height_sd, friction)| TowerOptions {
+        rows,
+        seed,
+        block,
+        height_sd,
+        friction,
+        ..TowerOptions::default()
+    })
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig { failure_persistence: None, cases: 200, ..ProptestConfig::default() })]
+
+    #[test]
+    fn no_tower_overlaps(options in any_tower()) {
+        let scene = tower(&options).unwrap();
+        prop_assert_eq!(scene.blocks.len(), 3 * options.rows as usize);
+        prop_assert_eq!(scene.validate(), Ok(()));
+        // Not by a micrometre, which is what validation allows, but not at all beyond rounding.
+        prop_assert_eq!(overlap::first(&scene.blocks, 1e-12), None);
+    }
+
+    #[test]
+    fn heights_and_masses_are_clipped(options in any_tower()) {
+        let nominal = options.block.size();
+        for b in tower(&options).unwrap().blocks {
+            prop_assert_eq!([b.size[0], b.size[1]], [nominal[0], nominal[1]]);
+            prop_assert!((b.size[2] - nominal[2]).abs() <= 2.0 * options.height_sd + 1e-15);
+            prop_assert!((b.mass - options.block.mass()).abs() <= 2.0 * options.block.mass_sd() + 1e-15);
+        }
+    }
+
+    #[test]
+    fn same_seed_same_bits(options in any_tower()) {
+        prop_assert_eq!(tower(&options).unwrap().to_json(), tower(&options).unwrap().to_json());
+        let other = TowerOptions { seed: options.seed ^ 1, height_sd: 1e-4, ..options.clone() };
+        prop_assert_ne!(tower(&options).unwrap().blocks, tower(&other).unwrap().blocks);
+    }
+
+    #[test]
+    fn more_rows_leave_those_below(options in any_tower()) {
+        let scene = tower(&options).unwrap();
+        let higher = tower(&TowerOptions { rows: options.rows + 3, ..options }).unwrap();
+        prop_assert_eq!(&higher.blocks[..scene.blocks.len()], &scene.blocks[..]);
+    }
+
+    #[test]
+    fn json_gives_the_same_bits_back(options in any_tower()) {
+        let scene = tower(&options).unwrap();
+        prop_assert_eq!(Scene::from_json(&scene.to_json()).unwrap(), scene);
+    }
+
+    /// The depth of two upright blocks against a count of points: a point of one is inside the other only if they overlap,
+    /// and moving one by the depth along some direction parts them.
+    #[test]
+    fn overlap_agrees_with_points(x in -0.1..0.1f64, y in -0.1..0.1f64, z in -0.03..0.03f64, yaw in -4.0..4.0f64) {
+        let size = [0.081, 0.0268, 0.018];
+        let a = Block { id: 0, size, mass: 0.02, pos: [0.0; 3], yaw: 0.3 };
+        let b = Block { id: 1, size, mass: 0.02, pos: [x, y, z], yaw };
+        let depth = overlap::depth(&a, &b);
+        prop_assert!((depth - overlap::depth(&b, &a)).abs() < 1e-15);
+        let steps = 60;
+        let inside = (0..=steps).any(|i| (0..=steps).any(|j| {
+            let u = (f64::from(i) / f64::from(steps) - 0.5) * size[0];
+            let v = (f64::from(j) / f64::from(steps) - 0.5) * size[1];
+            let (s, c) = libm::sincos(b.yaw);
+            let (px, py) = (b.pos[0] + c * u - s * v, b.pos[1] + s * u + c * v);
+            let (s, c) = libm::sincos(a.yaw);
+            let (qx, qy) = (c * px + s * py, -s * px + c * py);
+            qx.abs() < size[0] / 2.0 && qy.abs() < size[1] / 2.0
+        })) && z.abs() < size[2];
+        if inside { prop_assert!(depth > 0.0, "{depth}"); }
+        // The grid's points are at most 1.4 mm apart: deeper than that and one of them is inside.
+        if depth > 2e-3 { prop_assert!(inside, "{depth}"); }
+    }
+}
+
+/// The first blocks of the default tower, as they must be on every machine.
+#[test]
+fn default_tower_is_these_bits() {
+    let scene = tower(&TowerOptions::default()).unwrap();
+    let bits: Vec<[u64; 3]> = [0, 1, 53]
+        .map(|i| {
+            let b: &Block = &scene.blocks[i];
+            [b.size[2].to_bits(), b.mass.to_bits(), b.pos[2].to_bits()]
+        })
+        .to_vec();
+    let expected = [
+        [4580857746296224448, 4581549930654930007, 4576354146668853952],
+        [4580835947700196729, 4581869369777050829, 4576332348072826233],
+        [4580836772284790851, 4581341677185138217, 4599367915642869142],
+    ];
+    assert_eq!(bits, expected);
+}
+
+#[test]
+fn a_tower_stands_where_the_format_says() {
+    let scene = tower(&TowerOptions { rows: 2, ..TowerOptions::exact() }).unwrap();
+    let (a, d) = (&scene.blocks[0], &scene.blocks[3]);
+    assert_eq!((a.pos, a.yaw), ([0.0, -0.0271, 0.009], 0.0));
+    assert_eq!((d.pos[0], d.pos[1], d.yaw), (-0.0271, 0.0, std::f64::consts::FRAC_PI_2));
+    assert!((d.pos[2] - 0.027).abs() < 1e-15);
+    assert_eq!(a.mass, 0.0196);
+}
+
+#[test]
+fn a_row_stands_on_the_tallest_below() {
+    let scene = tower(&TowerOptions { rows: 10, ..TowerOptions::default() }).unwrap();
+    let mut base = 0.0;
+    for row in scene.blocks.chunks(3) {
+        for b in row {
+            assert!((b.pos[2] - b.size[2] / 2.0 - base).abs() < 1e-15);
+        }
+        base += row.iter().map(|b| b.size[2]).fold(0.0, f64::max);
+    }
+}
+
+#[test]
+fn rows_out_of_range_are_refused() {
+    for rows in [0, 201, u32::MAX] {
+        let error = tower(&TowerOptions { rows, ..TowerOptions::default() }).unwrap_err().to_string();
+        assert_eq!(error, format!("`rows` is {rows}, expected 1 to 200"));
+    }
+    assert_eq!(tower(&TowerOptions { rows: 200, ..TowerOptions::default() }).unwrap().blocks.len(), 600);
+}
+
+#[test]
+fn scatter_out_of_range_is_refused() {
+    for height_sd in [-1e-9, 2e-3, f64::NAN] {
+        let error = tower(&TowerOptions { height_sd, ..TowerOptions::default() }).unwrap_err().to_string();
+        assert!(error.starts_with("`height_sd` is "), "{error}");
+    }
+    let error = tower(&TowerOptions { mass_sd: Some(0.1), ..TowerOptions::default() }).unwrap_err().to_string();
+    assert!(error.starts_with("`mass_sd` is 0.1"), "{error}");
+}
