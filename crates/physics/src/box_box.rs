@@ -1,0 +1,288 @@
+//! Box against box and box against floor: the separating axis test, then clipping of face against face.
+//!
+//! Crossed blocks touch edge against edge at the corners of their overlap; only clipping finds these.
+
+#[cfg(test)]
+mod tests;
+
+use glam::{DMat3, DVec3};
+
+use crate::body::FLOOR;
+use crate::constants::{AREA_RANGE, AXIS_HYSTERESIS, CORNER_MERGE, EDGE_AREA, EDGE_PREFERENCE, LEAST_EDGE_SINE, REFERENCE_AREA};
+use crate::manifold::{Axis, Manifold, Point};
+use crate::polygon::{Corner, clip, merge, shares};
+
+/// A box in the world.
+#[derive(Debug, Clone, Copy)]
+pub struct Cuboid {
+    /// Index of the body.
+    pub body: u32,
+    /// Centre, m.
+    pub center: DVec3,
+    /// Its axes as columns.
+    pub axes: DMat3,
+    /// Half edge lengths, m.
+    pub half: DVec3,
+}
+
+/// The best separating axis of two boxes: normal from the first to the second, and the separation along it, m.
+#[derive(Debug, Clone, Copy)]
+pub struct Separation {
+    pub axis: Axis,
+    pub normal: DVec3,
+    pub distance: f64,
+}
+
+/// The axis that separates two boxes best, with a preference for faces and for the axis of the last detection; none where some
+/// axis separates them by more than `limit`.
+pub fn separation(low: &Cuboid, high: &Cuboid, limit: f64, last: Option<Axis>) -> Option<Separation> {
+    let offset = high.center - low.center;
+    // m.col(j)[i] = a_i . b_j
+    let m = low.axes.transpose() * high.axes;
+    let abs = DMat3::from_cols(m.x_axis.abs(), m.y_axis.abs(), m.z_axis.abs());
+    let in_low = low.axes.transpose() * offset;
+    let in_high = high.axes.transpose() * offset;
+
+    let mut best: Option<(f64, Separation)> = None;
+    let mut consider = |axis: Axis, normal: DVec3, along: f64, distance: f64, handicap: f64| {
+        let merit = distance - handicap + if last == Some(axis) { AXIS_HYSTERESIS } else { 0.0 };
+        if best.is_none_or(|(m, _)| merit > m) {
+            let normal = if along < 0.0 { -normal } else { normal };
+            best = Some((merit, Separation { axis, normal, distance }));
+        }
+    };
+
+    let reach = low.half + abs * high.half;
+    for i in 0..3 {
+        let distance = in_low[i].abs() - reach[i];
+        if distance > limit {
+            return None;
+        }
+        consider(Axis::FaceLow(i as u8), low.axes.col(i), in_low[i], distance, 0.0);
+    }
+    let reach = high.half + abs.transpose() * low.half;
+    for j in 0..3 {
+        let distance = in_high[j].abs() - reach[j];
+        if distance > limit {
+            return None;
+        }
+        consider(Axis::FaceHigh(j as u8), high.axes.col(j), in_high[j], distance, 0.0);
+    }
+    for i in 0..3 {
+        for j in 0..3 {
+            let cosine = m.col(j)[i];
+            let square = 1.0 - cosine * cosine;
+            if square < LEAST_EDGE_SINE * LEAST_EDGE_SINE {
+                continue;
+            }
+            let normal = low.axes.col(i).cross(high.axes.col(j)) / square.sqrt();
+            let along = normal.dot(offset);
+            let reach = (low.axes.transpose() * normal).abs().dot(low.half) + (high.axes.transpose() * normal).abs().dot(high.half);
+            let distance = along.abs() - reach;
+            if distance > limit {
+                return None;
+            }
+            consider(Axis::Edges((3 * i + j) as u8), normal, along, distance, EDGE_PREFERENCE);
+        }
+    }
+    best.map(|(_, separation)| separation)
+}
+
+/// How two boxes are to each other.
+#[derive(Debug, Clone)]
+#[expect(clippy::large_enum_variant, reason = "it is taken apart where it is made, and a box would be an allocation a pair")]
+pub enum Meeting {
+    /// Out of reach.
+    Apart,
+    /// At least so far apart (m), and no part of one before a face of the other: they may yet meet with their edges.
+    Near(f64),
+    /// In reach.
+    Touching(Manifold),
+}
+
+/// How two boxes are to each other, `low` having the lower index; they are apart where some axis separates them by more than
+/// `limit` (m).
+pub fn box_box(low: &Cuboid, high: &Cuboid, limit: f64, last: Option<Axis>) -> Meeting {
+    let Some(found) = separation(low, high, limit, last) else { return Meeting::Apart };
+    let manifold = match found.axis {
+        Axis::FaceLow(i) => face_manifold(low, high, i as usize, found.normal, found.axis),
+        Axis::FaceHigh(j) => face_manifold(high, low, j as usize, -found.normal, found.axis),
+        Axis::Edges(pair) => Some(edge_manifold(low, high, pair as usize, found.normal)),
+    };
+    manifold.map_or(Meeting::Near(found.distance), Meeting::Touching)
+}
+
+/// Right-handed frame in A's coordinates from a normal in the world and an axis of A that is not parallel to it.
+fn frame(a: &Cuboid, normal: DVec3, along: usize) -> [DVec3; 3] {
+    let n = a.axes.transpose() * normal;
+    let mut t = DVec3::ZERO;
+    t[along] = 1.0;
+    let t1 = (t - n * n.dot(t)).normalize();
+    [n, t1, n.cross(t1)]
+}
+
+/// Clips the face of `b` that looks most against `normal` (out of face `axis` of `a`) by that face.
+fn face_manifold(a: &Cuboid, b: &Cuboid, axis: usize, normal: DVec3, kind: Axis) -> Option<Manifold> {
+    let (iu, iv) = ((axis + 1) % 3, (axis + 2) % 3);
+    let (u, v) = (a.axes.col(iu), a.axes.col(iv));
+    let plane = a.center + normal * a.half[axis];
+
+    let facing = b.axes.transpose() * normal;
+    let size = facing.abs();
+    let k = if size.x >= size.y && size.x >= size.z {
+        0
+    } else if size.y >= size.z {
+        1
+    } else {
+        2
+    };
+    let outward = if facing[k] > 0.0 { -1.0 } else { 1.0 };
+    let face = b.center + b.axes.col(k) * (outward * b.half[k]);
+    let (ip, iq) = ((k + 1) % 3, (k + 2) % 3);
+    let (p, q) = (b.axes.col(ip) * b.half[ip], b.axes.col(iq) * b.half[iq]);
+    let corner = |x: DVec3| {
+        let d = x - plane;
+        Corner { u: d.dot(u), v: d.dot(v), gap: d.dot(normal) }
+    };
+    let corners = [corner(face + p + q), corner(face - p + q), corner(face - p - q), corner(face + p - q)];
+
+    let mut polygon = clip(&corners, a.half[iu], a.half[iv]);
+    merge(&mut polygon, CORNER_MERGE);
+    if polygon.is_empty() {
+        return None;
+    }
+    let (area, centroid, weights) = shares(&polygon);
+    let local = |u: f64, v: f64| {
+        let mut x = DVec3::ZERO;
+        x[axis] = normal.dot(a.axes.col(axis)).signum() * a.half[axis];
+        x[iu] = u;
+        x[iv] = v;
+        x
+    };
+    let frame = frame(a, normal, iu);
+    let centroid = local(centroid[0], centroid[1]);
+    let points = polygon
+        .iter()
+        .zip(weights)
+        .map(|(c, weight)| {
+            let anchor_a = local(c.u, c.v);
+            let on_b = plane + u * c.u + v * c.v + normal * c.gap;
+            let arm = anchor_a - centroid;
+            Point {
+                anchor_a,
+                anchor_b: b.axes.transpose() * (on_b - b.center),
+                arm: [arm.dot(frame[1]), arm.dot(frame[2])],
+                weight,
+                gap: c.gap,
+                ..Point::default()
+            }
+        })
+        .collect();
+    Some(Manifold {
+        a: a.body,
+        b: b.body,
+        axis: kind,
+        frame,
+        centroid,
+        area: (area / REFERENCE_AREA).clamp(AREA_RANGE.0, AREA_RANGE.1),
+        mobility: 0.0,
+        points,
+    })
+}
+
+/// The one point between two crossing edges.
+fn edge_manifold(a: &Cuboid, b: &Cuboid, pair: usize, normal: DVec3) -> Manifold {
+    let (i, j) = (pair / 3, pair % 3);
+    // middle of the edge of a box that lies farthest along a direction
+    let edge = |c: &Cuboid, along: usize, direction: DVec3| {
+        let toward = c.axes.transpose() * direction;
+        let mut local = DVec3::ZERO;
+        for k in 0..3 {
+            if k != along {
+                local[k] = if toward[k] >= 0.0 { c.half[k] } else { -c.half[k] };
+            }
+        }
+        c.center + c.axes * local
+    };
+    let (p, q) = (edge(a, i, normal), edge(b, j, -normal));
+    let (d, e) = (a.axes.col(i), b.axes.col(j));
+    // closest points of two lines p + s d, q + t e with unit directions
+    let w = q - p;
+    let cosine = d.dot(e);
+    let inv = 1.0 / (1.0 - cosine * cosine);
+    let s = ((w.dot(d) - cosine * w.dot(e)) * inv).clamp(-a.half[i], a.half[i]);
+    let t = ((cosine * w.dot(d) - w.dot(e)) * inv).clamp(-b.half[j], b.half[j]);
+    let (on_a, on_b) = (p + d * s, q + e * t);
+    let anchor_a = a.axes.transpose() * (on_a - a.center);
+    Manifold {
+        a: a.body,
+        b: b.body,
+        axis: Axis::Edges(pair as u8),
+        frame: frame(a, normal, i),
+        centroid: anchor_a,
+        area: EDGE_AREA,
+        mobility: 0.0,
+        points: [Point {
+            anchor_a,
+            anchor_b: b.axes.transpose() * (on_b - b.center),
+            weight: 1.0,
+            gap: normal.dot(on_b - on_a),
+            ..Point::default()
+        }]
+        .into_iter()
+        .collect(),
+    }
+}
+
+/// The manifold of a box above the floor z = 0: the corners of its lowest face; none where it is higher than `limit` (m).
+pub fn box_floor(b: &Cuboid, limit: f64, last: Option<Axis>) -> Option<Manifold> {
+    let up = b.axes.transpose() * DVec3::Z;
+    if b.center.z - up.abs().dot(b.half) > limit {
+        return None;
+    }
+    let mut k = 0;
+    let mut best = f64::NEG_INFINITY;
+    for i in 0..3 {
+        // a box balanced on an edge stays on the face it was on
+        let merit = up[i].abs() + if last == Some(Axis::FaceHigh(i as u8)) { 0.01 } else { 0.0 };
+        if merit > best {
+            best = merit;
+            k = i;
+        }
+    }
+    let outward = if up[k] > 0.0 { -1.0 } else { 1.0 };
+    let (ip, iq) = ((k + 1) % 3, (k + 2) % 3);
+    let mut center = DVec3::ZERO;
+    center[k] = outward * b.half[k];
+    let corners = [(1.0, 1.0), (-1.0, 1.0), (-1.0, -1.0), (1.0, -1.0)].map(|(x, y)| {
+        let mut c = center;
+        c[ip] = x * b.half[ip];
+        c[iq] = y * b.half[iq];
+        c
+    });
+    let ground = |local: DVec3| {
+        let x = b.center + b.axes * local;
+        DVec3::new(x.x, x.y, 0.0)
+    };
+    let centroid = ground(center);
+    let points = corners
+        .iter()
+        .map(|&anchor_b| {
+            let x = b.center + b.axes * anchor_b;
+            let anchor_a = DVec3::new(x.x, x.y, 0.0);
+            let arm = anchor_a - centroid;
+            Point { anchor_a, anchor_b, arm: [arm.x, arm.y], weight: 0.25, gap: x.z, ..Point::default() }
+        })
+        .collect();
+    let area = 4.0 * b.half[ip] * b.half[iq];
+    Some(Manifold {
+        a: FLOOR,
+        b: b.body,
+        axis: Axis::FaceHigh(k as u8),
+        frame: [DVec3::Z, DVec3::X, DVec3::Y],
+        centroid,
+        area: (area / REFERENCE_AREA).clamp(AREA_RANGE.0, AREA_RANGE.1),
+        mobility: 0.0,
+        points,
+    })
+}

@@ -1,0 +1,148 @@
+//! The hand: a critically damped spring with limited force and torque, evaluated in each substep.
+
+use glam::{DMat3, DQuat, DVec3};
+
+use crate::body::{Bodies, Shapes, turn, turned};
+use crate::constants::HAND_RATE;
+use crate::input::{Grip, Hand};
+use crate::report::HandReport;
+
+/// A hand between two syncs.
+#[derive(Debug, Clone)]
+pub struct Pull {
+    row: usize,
+    grip: Grip,
+    axis: DVec3,
+    /// From the centre to the grasped point, m.
+    arm: DVec3,
+    /// From the grasped point to the target, m, and the target's velocity, m/s.
+    lead: DVec3,
+    target_velocity: DVec3,
+    /// Rotation vector from the body to the wanted orientation, rad, and its rate, rad/s; absent where the orientation is free.
+    twist: Option<(DVec3, DVec3)>,
+    mass: f64,
+    inertia: DMat3,
+    gravity: DVec3,
+    max_force: f64,
+    max_torque: f64,
+    /// What it did in the last substep.
+    pub report: HandReport,
+}
+
+/// Where a hand wants its body: the target of the grasped point and the orientation.
+#[derive(Debug, Clone, Copy, PartialEq, serde::Serialize, serde::Deserialize)]
+pub struct Aim {
+    /// The body held.
+    pub body: u32,
+    /// Target of the grasped point, m.
+    pub target: DVec3,
+    /// Orientation wanted.
+    pub orientation: Option<DQuat>,
+}
+
+impl Aim {
+    /// Where a hand that has just taken hold wants its body: where it is.
+    pub fn of_grasp(hand: &Hand, bodies: &Bodies) -> Self {
+        let i = hand.body as usize;
+        Self { body: hand.body, target: grasped(hand, bodies), orientation: hand.orientation.map(|_| bodies.orientation[i]) }
+    }
+
+    /// Where a hand wants its body at the end of its frame.
+    pub fn of(hand: &Hand) -> Self {
+        Self { body: hand.body, target: hand.target, orientation: hand.orientation }
+    }
+}
+
+/// The grasped point in the world, m.
+pub fn grasped(hand: &Hand, bodies: &Bodies) -> DVec3 {
+    let i = hand.body as usize;
+    bodies.position[i] + bodies.orientation[i] * hand.anchor
+}
+
+impl Pull {
+    /// The hand for a batch that starts when the share `done` of a frame of `frame` (s) is over; over the frame the aim moves
+    /// evenly from `from` to that of `hand`.
+    pub fn new(hand: &Hand, from: &Aim, done: f64, frame: f64, gravity: DVec3, shapes: &Shapes, bodies: &Bodies) -> Self {
+        let i = hand.body as usize;
+        let point = grasped(hand, bodies);
+        let twist = match (from.orientation, hand.orientation) {
+            (Some(from), Some(to)) => {
+                let whole = turn(from, to);
+                Some((turn(bodies.orientation[i], turned(from, whole * done)), whole / frame))
+            }
+            _ => None,
+        };
+        let way = hand.target - from.target;
+        Self {
+            row: i,
+            grip: hand.grip,
+            axis: hand.axis,
+            arm: point - bodies.position[i],
+            lead: from.target + way * done - point,
+            target_velocity: way / frame,
+            twist,
+            mass: shapes.mass[i],
+            inertia: bodies.inertia(shapes, i),
+            gravity,
+            max_force: hand.max_force,
+            max_torque: hand.max_torque,
+            report: HandReport { point, ..HandReport::default() },
+        }
+    }
+
+    /// Index of the body held.
+    pub fn body(&self) -> usize {
+        self.row
+    }
+
+    /// Force (N) and torque (N m) in a substep of `h` (s) on a body of this velocity and spin.
+    pub fn force(&mut self, h: f64, (v, w): (DVec3, DVec3)) -> (DVec3, DVec3) {
+        let slip = self.target_velocity - (v + w.cross(self.arm));
+        self.lead += slip * h;
+        let spring = self.mass * (HAND_RATE * HAND_RATE * self.lead + 2.0 * HAND_RATE * slip);
+        let (f, capped) = self.limited(spring);
+        let mut torque_capped = false;
+
+        let mut hold = DVec3::ZERO;
+        if let Some((twist, rate)) = &mut self.twist {
+            let slip = *rate - w;
+            *twist += slip * h;
+            hold = self.inertia * (HAND_RATE * HAND_RATE * *twist + 2.0 * HAND_RATE * slip);
+            if self.grip == Grip::Push {
+                hold = DVec3::ZERO;
+            }
+            if hold.length() > self.max_torque {
+                hold *= self.max_torque / hold.length();
+                torque_capped = true;
+            }
+        }
+        self.report = HandReport { force: f, torque: hold, capped, torque_capped, point: self.report.point };
+        (f, self.arm.cross(f) + hold)
+    }
+
+    /// The force that the grip allows of what the spring wants, and whether that is less.
+    fn limited(&self, spring: DVec3) -> (DVec3, bool) {
+        let weight = self.mass * self.gravity.length();
+        let up = if weight > 0.0 { -self.gravity / self.gravity.length() } else { DVec3::ZERO };
+        match self.grip {
+            Grip::Slide => {
+                let lift = spring.dot(up);
+                let level = spring - up * lift;
+                let size = level.length();
+                let capped = size > self.max_force;
+                let level = if capped { level * (self.max_force / size) } else { level };
+                (level + up * lift.clamp(-weight, weight), capped)
+            }
+            Grip::Carry => {
+                let size = spring.length();
+                let capped = size > self.max_force;
+                let spring = if capped { spring * (self.max_force / size) } else { spring };
+                (spring + up * weight, capped)
+            }
+            Grip::Push => {
+                let size = spring.dot(self.axis);
+                (self.axis * size.clamp(0.0, self.max_force), size > self.max_force)
+            }
+        }
+    }
+}

@@ -1,0 +1,52 @@
+//! The engine of Teeter: a tower of blocks in which everything is a spring.
+//!
+//! Contact is a spring per area with a damper and a Maxwell element, friction is a tangential spring that gives way at Coulomb's
+//! cone (Cundall and Strack 1979), and time goes in many small explicit steps. There is no iterative solver and no resting case.
+//! [`World::step`] is the whole of it; `step.rs` is its table of contents.
+//!
+//! No input or output, no clock, no random numbers, no global state. SI units; z is up, the floor is z = 0.
+//!
+//! ```
+//! use teeter_physics::{Input, Params, World};
+//!
+//! let scene = teeter_scene::named("column").unwrap();
+//! let mut world = World::new(&scene, Params::default())?;
+//! let report = (0..60).map(|_| world.step(&Input::default())).last().unwrap();
+//! assert!(report.rms_speed < 1e-3 && report.penetration < 1e-5);
+//! # Ok::<(), teeter_physics::BuildError>(())
+//! ```
+
+mod batch;
+mod body;
+mod box_box;
+mod broad_phase;
+mod constants;
+mod contacts;
+mod drive;
+mod hand;
+mod input;
+mod island;
+mod kernel;
+#[cfg_attr(
+    all(target_arch = "wasm32", target_feature = "simd128"),
+    allow(dead_code, reason = "the portable lanes are then only a reference")
+)]
+mod lanes;
+mod manifold;
+mod pack;
+mod params;
+mod polygon;
+mod report;
+mod rest;
+mod restitution;
+mod snapshot;
+mod step;
+mod sync;
+mod world;
+
+pub use input::{AppliedForce, Drive, Grip, Hand, Input};
+pub use params::{Params, Precision, Width};
+pub use report::{ContactReport, HandReport, StepReport};
+pub use restitution::restitution;
+pub use snapshot::SnapshotError;
+pub use world::{BuildError, World};

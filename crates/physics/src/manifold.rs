@@ -1,0 +1,138 @@
+//! A manifold: the points at which two bodies touch, or may soon, under one normal. The geometry is fixed in the bodies between
+//! detections; the history is the springs' memory.
+
+use arrayvec::ArrayVec;
+use glam::{DMat3, DVec3};
+use serde::{Deserialize, Serialize};
+
+use crate::constants::TORSION_LEVER;
+
+/// Which axis separates best.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+pub enum Axis {
+    /// Normal of a face of the body with the lower index (or of the floor), by axis.
+    FaceLow(u8),
+    /// Normal of a face of the body with the higher index, by axis.
+    FaceHigh(u8),
+    /// Cross product of two edges, 3 * (axis of the lower) + axis of the higher.
+    Edges(u8),
+}
+
+/// One point of a manifold.
+#[derive(Debug, Clone, Copy, Default, PartialEq, Serialize, Deserialize)]
+pub struct Point {
+    /// On A's reference plane, in A's frame, m.
+    pub anchor_a: DVec3,
+    /// On B's surface, in B's frame, m.
+    pub anchor_b: DVec3,
+    /// Place in the plane of contact from the centroid, along the two tangents, m.
+    pub arm: [f64; 2],
+    /// Share of the manifold's stiffness.
+    pub weight: f64,
+    /// Separation along the normal, m; negative is overlap.
+    pub gap: f64,
+    /// Tangential spring: displacement of B over A along the tangents since the point began to stick, m.
+    pub stretch: [f64; 2],
+    /// Maxwell element: recent normal displacement that has not yet relaxed, m.
+    pub creep: f64,
+    /// Normal force at the last substep, N.
+    pub force: f64,
+}
+
+/// At most this many points: a quadrilateral clipped by a rectangle.
+pub const MAX_POINTS: usize = 8;
+
+/// The points at which two bodies touch, or may soon.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct Manifold {
+    /// The body of the reference plane; [`crate::body::FLOOR`] for the floor.
+    pub a: u32,
+    /// The other body.
+    pub b: u32,
+    /// Which axis it was found on.
+    pub axis: Axis,
+    /// Normal from A to B and two tangents, right-handed, in A's frame.
+    pub frame: [DVec3; 3],
+    /// Centroid of the patch in A's frame, m.
+    pub centroid: DVec3,
+    /// Area of the patch over the reference area, clamped: stiffness over that of the run.
+    pub area: f64,
+    /// How easily the two bodies give way at the patch, 1/kg: bounds what the explicit step can hold.
+    pub mobility: f64,
+    /// The points.
+    pub points: ArrayVec<Point, MAX_POINTS>,
+}
+
+impl Point {
+    /// Forgets the springs: what an open point has.
+    pub fn forget(&mut self) {
+        self.stretch = [0.0; 2];
+        self.creep = 0.0;
+        self.force = 0.0;
+    }
+}
+
+impl Manifold {
+    /// Lower index first, the floor lowest: the order in which manifolds are kept.
+    pub fn key(&self) -> (u32, u32) {
+        key(self.a, self.b)
+    }
+
+    /// How easily a body gives way to this patch, 1/kg: as a whole, or by turning about its centre under a pressure that varies
+    /// over the patch, and by turning under the pressure's resultant.
+    pub fn mobility_of(&self, mass: f64, inv_inertia: DMat3, to_centroid: DVec3, to_world: impl Fn(DVec3) -> DVec3) -> f64 {
+        let tangents = [to_world(self.frame[1]), to_world(self.frame[2])];
+        let variance = |k: usize| self.points.iter().map(|p| p.weight * p.arm[k] * p.arm[k]).sum::<f64>();
+        // a lever along one tangent turns the body about the other
+        let turn = |k: usize| {
+            let axis = tangents[1 - k];
+            let offset = to_centroid.dot(tangents[k]);
+            let ease = axis.dot(inv_inertia * axis);
+            (variance(k) * ease, offset * offset * ease)
+        };
+        let ((spread0, offset0), (spread1, offset1)) = (turn(0), turn(1));
+        mass.recip().max(spread0).max(spread1) + offset0 + offset1
+    }
+
+    /// Levers of the points' friction from the centroid, m: the resultant acts at the centre of pressure, and around it the points
+    /// stand closer by [`TORSION_LEVER`]. The pressure is that of the last substep.
+    pub fn levers(&self) -> impl Fn(&Point) -> [f64; 2] {
+        let total: f64 = self.points.iter().map(|p| p.force).sum();
+        let center = |k: usize| {
+            if total > 0.0 { self.points.iter().map(|p| p.force * p.arm[k]).sum::<f64>() / total } else { 0.0 }
+        };
+        let center = [center(0), center(1)];
+        move |p| [0, 1].map(|k| center[k] + TORSION_LEVER * (p.arm[k] - center[k]))
+    }
+
+    /// Takes the history of an earlier manifold of the same bodies: each point that of the nearest old one. `old_to_world` and
+    /// `to_world` turn a direction in A's frame into the world.
+    pub fn inherit(&mut self, old: &Manifold, to_world: impl Fn(DVec3) -> DVec3, old_to_world: impl Fn(DVec3) -> DVec3) {
+        if old.points.is_empty() {
+            return;
+        }
+        let swapped = self.a != old.a;
+        let tangents = [to_world(self.frame[1]), to_world(self.frame[2])];
+        let old_tangents = [old_to_world(old.frame[1]), old_to_world(old.frame[2])];
+        for point in &mut self.points {
+            // both are compared in the frame of the same body
+            let place = if swapped { point.anchor_b } else { point.anchor_a };
+            let nearest =
+                old.points.iter().min_by(|p, q| (p.anchor_a - place).length_squared().total_cmp(&(q.anchor_a - place).length_squared()));
+            if let Some(nearest) = nearest {
+                let stretch = nearest.stretch[0] * old_tangents[0] + nearest.stretch[1] * old_tangents[1];
+                let stretch = if swapped { -stretch } else { stretch };
+                point.stretch = [stretch.dot(tangents[0]), stretch.dot(tangents[1])];
+                point.creep = nearest.creep;
+                point.force = nearest.force;
+            }
+        }
+    }
+}
+
+/// The key of a pair.
+pub fn key(a: u32, b: u32) -> (u32, u32) {
+    // the floor's index is the highest, yet its contacts come first
+    let rank = |i: u32| i.wrapping_add(1);
+    if rank(a) < rank(b) { (rank(a), rank(b)) } else { (rank(b), rank(a)) }
+}

@@ -1,0 +1,92 @@
+//! Scenes and measures that several tests share.
+#![allow(dead_code, reason = "each test file uses its own part")]
+
+use glam::{DQuat, DVec3};
+use teeter_physics::{Input, Params, Precision, StepReport, World};
+use teeter_scene::{Block, Scene};
+
+/// Standard gravity, m/s².
+pub const G: f64 = 9.81;
+/// The nominal block, m and kg.
+pub const SIZE: [f64; 3] = [0.081, 0.0268, 0.018];
+pub const MASS: f64 = 0.0196;
+
+/// A scene of nominal blocks at the given centres, with friction 0.4.
+pub fn blocks(at: &[[f64; 3]]) -> Scene {
+    let blocks = at.iter().enumerate().map(|(id, &pos)| Block { id: id as u32, size: SIZE, mass: MASS, pos, yaw: 0.0 });
+    Scene {
+        name: "test".into(),
+        gravity: G,
+        friction: 0.4,
+        kinetic_friction: None,
+        restitution: 0.5,
+        blocks: blocks.collect(),
+        label: None,
+        margin: None,
+        tilt_az: None,
+    }
+}
+
+/// One block lying on the floor.
+pub fn one() -> Scene {
+    blocks(&[[0.0, 0.0, 0.009]])
+}
+
+/// `n` blocks one on another.
+pub fn column(n: usize) -> Scene {
+    blocks(&(0..n).map(|i| [0.0, 0.0, 0.009 + 0.018 * i as f64]).collect::<Vec<_>>())
+}
+
+/// Awake throughout.
+pub fn awake() -> Params {
+    Params { sleep: false, ..Params::default() }
+}
+
+/// Both number formats, awake throughout.
+pub fn both() -> [Params; 2] {
+    [Precision::Single, Precision::Double].map(|precision| Params { precision, ..awake() })
+}
+
+/// Steps for `seconds` with the same input; the last report.
+pub fn run(world: &mut World, seconds: f64, input: &Input) -> StepReport {
+    let mut report = StepReport::default();
+    for _ in 0..(seconds / world.params().frame).round() as usize {
+        report = world.step(input);
+        assert!(report.quarantined.is_empty(), "{report:?}");
+    }
+    report
+}
+
+/// Centre of a body, m.
+pub fn position(world: &World, body: usize) -> DVec3 {
+    DVec3::from_slice(&world.poses()[7 * body..])
+}
+
+/// Orientation of a body.
+pub fn orientation(world: &World, body: usize) -> DQuat {
+    DQuat::from_slice(&world.poses()[7 * body + 3..])
+}
+
+/// Velocity and spin of a body, m/s and rad/s.
+pub fn motion(world: &World, body: usize) -> (DVec3, DVec3) {
+    let v = world.velocities();
+    (DVec3::from_slice(&v[6 * body..]), DVec3::from_slice(&v[6 * body + 3..]))
+}
+
+/// Largest distance of any centre from where it was, m.
+pub fn displacement(before: &[f64], world: &World) -> f64 {
+    let moved = |i: usize| (position(world, i) - DVec3::from_slice(&before[7 * i..])).length();
+    (0..world.len()).map(moved).fold(0.0, f64::max)
+}
+
+/// Gravity on a ground that leans by an angle of this tangent towards x.
+pub fn tilted(tangent: f64) -> Input {
+    let c = 1.0 / (1.0 + tangent * tangent).sqrt();
+    Input { gravity: Some(DVec3::new(G * tangent * c, 0.0, -G * c)), ..Input::default() }
+}
+
+/// Principal moments of inertia of a uniform cuboid, kg m².
+pub fn inertia(size: [f64; 3], mass: f64) -> DVec3 {
+    let [x, y, z] = size.map(|l| l * l);
+    DVec3::new(y + z, z + x, x + y) * (mass / 12.0)
+}

@@ -1,0 +1,197 @@
+//! The hand on a whole tower: what is loose comes out and disturbs nothing, what is tight stays, and no force is unlimited.
+
+mod common;
+
+use common::*;
+use glam::DVec3;
+use teeter_physics::{Drive, Grip, Hand, Input, World};
+use teeter_scene::{TowerOptions, tower};
+
+/// A settled 18-row tower.
+fn settled(seed: u64) -> World {
+    let mut world = World::new(&tower(&TowerOptions { seed, ..TowerOptions::default() }).unwrap(), awake()).unwrap();
+    run(&mut world, 1.5, &Input::default());
+    world
+}
+
+/// Load on a body from above, N.
+fn load(world: &World, body: u32) -> f64 {
+    world.contacts(body).iter().filter(|c| c.normal.z < -0.5).map(|c| c.force).sum()
+}
+
+/// Blocks of the tower below the top row on which nothing rests.
+fn loose(world: &World) -> Vec<u32> {
+    (0..world.len() as u32 - 3).filter(|&i| load(world, i) < 1e-3).collect()
+}
+
+/// The direction of a block's long axis.
+fn along(world: &World, body: u32) -> DVec3 {
+    orientation(world, body as usize) * DVec3::X
+}
+
+/// A careful hand at the end of a block that pulls it out along its axis.
+fn pull(world: &World, body: u32, distance: f64) -> Hand {
+    let anchor = DVec3::new(0.5 * world.size(body).x, 0.0, 0.0);
+    let q = orientation(world, body as usize);
+    Hand {
+        body,
+        anchor,
+        target: position(world, body as usize) + q * anchor + q * DVec3::X * distance,
+        orientation: Some(q),
+        grip: Grip::Slide,
+        axis: DVec3::ZERO,
+        max_force: Hand::default_force(),
+        max_torque: Hand::default_torque(),
+    }
+}
+
+#[test]
+fn a_loose_block_comes_out_at_5_cm_a_second_and_nothing_else_moves() {
+    let mut world = settled(1);
+    let all = loose(&world);
+    assert!(all.len() >= 5, "{} loose blocks", all.len());
+    let start = world.snapshot();
+    for &body in &all {
+        world.restore(&start).unwrap();
+        let before = world.poses().to_vec();
+        let (from, axis) = (position(&world, body as usize), along(&world, body));
+        let hand = pull(&world, body, 0.0);
+        for i in 1..=120 {
+            let target = hand.target + axis * (0.05 * f64::from(i) / 60.0);
+            let report = world.step(&Input { hand: Some(Hand { target, ..hand.clone() }), ..Input::default() });
+            let force = report.hand.unwrap().force.length();
+            assert!(force < 0.5, "it takes {force} N to pull loose block {body}");
+        }
+        let out = (position(&world, body as usize) - from).dot(axis);
+        assert!(out > 0.099, "block {body} came {out} m");
+        for other in (0..world.len()).filter(|&i| i != body as usize) {
+            let moved = (position(&world, other) - DVec3::from_slice(&before[7 * other..])).length();
+            assert!(moved < 1e-4, "block {other} moved {} mm when {body} was pulled", moved * 1e3);
+        }
+    }
+}
+
+#[test]
+fn a_tight_block_stays_and_the_tower_with_it() {
+    let mut world = settled(1);
+    let body = (0..27).max_by(|&a, &b| load(&world, a).total_cmp(&load(&world, b))).unwrap();
+    let before = world.poses().to_vec();
+    // it slips at mu (N above + N below), if what rests on it does not come along before
+    assert!(0.4 * 2.0 * load(&world, body) > Hand::default_force());
+    let hand = Hand { max_force: 1.0, ..pull(&world, body, 0.05) };
+    let report = run(&mut world, 2.0, &Input { hand: Some(hand), ..Input::default() });
+    let felt = report.hand.unwrap();
+    assert!(felt.capped && (felt.force.length() - 1.0).abs() < 0.05, "{felt:?}");
+    assert!(displacement(&before, &world) < 1e-4);
+}
+
+#[test]
+fn a_hand_that_holds_the_height_does_not_lift_the_tower() {
+    let mut world = settled(1);
+    let before = world.poses().to_vec();
+    let mut hand = pull(&world, 4, 0.0);
+    hand.target.z += 0.05;
+    let report = run(&mut world, 1.0, &Input { hand: Some(hand), ..Input::default() });
+    assert!(report.hand.unwrap().force.length() < 1.01 * world.mass(4) * G);
+    assert!(displacement(&before, &world) < 1e-4);
+}
+
+#[test]
+fn a_carried_block_follows_the_hand_and_is_put_on_top() {
+    let mut world = settled(1);
+    let body = loose(&world)[0];
+    let top = (0..world.len()).map(|i| position(&world, i).z).fold(0.0, f64::max);
+    let mut hand = pull(&world, body, 0.0);
+    let axis = along(&world, body);
+    let go = |world: &mut World, hand: &mut Hand, to: DVec3, speed: f64| {
+        let from = hand.target;
+        let frames = ((to - from).length() / speed * 60.0).ceil().max(1.0);
+        for i in 1..=frames as u32 {
+            hand.target = from.lerp(to, f64::from(i) / frames);
+            world.step(&Input { hand: Some(hand.clone()), ..Input::default() });
+        }
+    };
+    let out = hand.target + axis * 0.12;
+    go(&mut world, &mut hand, out, 0.05);
+    hand.grip = Grip::Carry;
+    let q = orientation(&world, body as usize);
+    let anchor = q * hand.anchor;
+    let above = DVec3::new(0.0, 0.0, top + 0.018 + 0.01) + anchor;
+    let risen = hand.target.with_z(above.z);
+    go(&mut world, &mut hand, risen, 0.2);
+    go(&mut world, &mut hand, above, 0.2);
+    go(&mut world, &mut hand, above - DVec3::new(0.0, 0.0, 0.0105), 0.03);
+    let before = world.poses().to_vec();
+    run(&mut world, 2.0, &Input::default());
+    assert!((position(&world, body as usize).z - top - 0.018).abs() < 1e-3, "it does not lie on top");
+    for other in (0..world.len()).filter(|&i| i != body as usize) {
+        let moved = (position(&world, other) - DVec3::from_slice(&before[7 * other..])).length();
+        assert!(moved < 2e-4, "letting go moved block {other} by {} mm", moved * 1e3);
+    }
+}
+
+#[test]
+fn a_fingertip_pushes_and_never_pulls() {
+    let mut world = World::new(&one(), awake()).unwrap();
+    run(&mut world, 0.5, &Input::default());
+    let finger = |world: &World, ahead: f64| {
+        let anchor = DVec3::new(-0.0405, 0.0, 0.0);
+        Input {
+            hand: Some(Hand {
+                body: 0,
+                anchor,
+                target: position(world, 0) + anchor + DVec3::X * ahead,
+                orientation: None,
+                grip: Grip::Push,
+                axis: DVec3::X,
+                max_force: 4.0,
+                max_torque: 0.0,
+            }),
+            ..Input::default()
+        }
+    };
+    for _ in 0..30 {
+        let input = finger(&world, -0.005);
+        let report = world.step(&input);
+        assert_eq!(report.hand.unwrap().force, DVec3::ZERO);
+    }
+    assert!(position(&world, 0).x.abs() < 1e-9);
+    for _ in 0..30 {
+        let input = finger(&world, 0.002);
+        world.step(&input);
+    }
+    assert!(position(&world, 0).x > 1e-3);
+}
+
+#[test]
+fn a_middle_block_yanked_at_5_m_s_overlaps_nothing_by_a_millimetre() {
+    let mut world = settled(1);
+    let start = world.snapshot();
+    for direction in [DVec3::X, -DVec3::X, DVec3::Y, -DVec3::Y, DVec3::Z, -DVec3::Z] {
+        world.restore(&start).unwrap();
+        for i in 0..120 {
+            let drive = Drive { body: 25, velocity: direction * 5.0, max_force: Drive::default_force() };
+            let drives = if i < 6 { vec![drive] } else { Vec::new() };
+            let report = world.step(&Input { drives, ..Input::default() });
+            assert!(report.quarantined.is_empty());
+            assert!(report.penetration < 1e-3, "{} mm", report.penetration * 1e3);
+            assert!(report.max_speed < 10.0, "{} m/s", report.max_speed);
+            assert!(world.poses().iter().all(|x| x.is_finite()));
+        }
+    }
+}
+
+#[test]
+fn input_that_makes_no_sense_is_passed_over() {
+    let mut world = World::new(&one(), awake()).unwrap();
+    let mut same = world.clone();
+    let hand = Hand { target: DVec3::NAN, ..pull(&world, 0, 0.0) };
+    let drive = Drive { body: 7, velocity: DVec3::X, max_force: 1.0 };
+    let nonsense = Input { gravity: Some(DVec3::INFINITY), hand: Some(hand), drives: vec![drive], ..Input::default() };
+    for _ in 0..30 {
+        let report = world.step(&nonsense);
+        assert!(report.hand.is_none() && report.quarantined.is_empty());
+        same.step(&Input::default());
+    }
+    assert_eq!(world.hash(), same.hash());
+}

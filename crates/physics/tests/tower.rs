@@ -1,0 +1,68 @@
+//! Towers at rest: the full one for a minute, the dissertation's configurations, and 400 towers whose answer is known exactly.
+
+mod common;
+
+use std::sync::atomic::{AtomicUsize, Ordering};
+
+use common::*;
+use teeter_physics::{Input, Params, World};
+use teeter_scene::{NAMED, TowerOptions, Verdict, tower};
+
+#[test]
+fn the_full_tower_stands_a_minute_without_sleep() {
+    let mut world = World::new(&tower(&TowerOptions::default()).unwrap(), awake()).unwrap();
+    run(&mut world, 2.0, &Input::default());
+    let before = world.poses().to_vec();
+    let report = run(&mut world, 58.0, &Input::default());
+    let creep = displacement(&before, &world);
+    assert!(creep < 1e-6, "creep {creep:e} m");
+    assert!(report.rms_speed < 1e-6, "rms speed {:e} m/s", report.rms_speed);
+    assert!(report.penetration < 5e-5, "penetration {:e} m", report.penetration);
+}
+
+/// Whether a block has moved by more than 5 mm or dropped by more than 3 mm after 5 s.
+fn falls(scene: &teeter_scene::Scene) -> bool {
+    let mut world = World::new(scene, Params { sleep: false, ..Params::default() }).unwrap();
+    let before = world.poses().to_vec();
+    (0..300).any(|_| {
+        world.step(&Input::default());
+        let drop = (0..world.len()).map(|i| before[7 * i + 2] - world.poses()[7 * i + 2]).fold(0.0, f64::max);
+        displacement(&before, &world) > 5e-3 || drop > 3e-3
+    })
+}
+
+#[test]
+fn the_configurations_of_the_dissertation_stand_or_fall_as_they_did() {
+    let mut judged = 0;
+    for named in NAMED {
+        let Some(expected) = named.expect else { continue };
+        assert_eq!(falls(&named.scene()), expected == Verdict::Unstable, "{}", named.name);
+        judged += 1;
+    }
+    assert!(judged >= 6);
+}
+
+#[test]
+fn towers_with_exact_answers_are_judged_right() {
+    let path = concat!(env!("CARGO_MANIFEST_DIR"), "/../../data/oracle/config.jsonl.gz");
+    let mut text = String::new();
+    std::io::Read::read_to_string(&mut flate2::read::GzDecoder::new(std::fs::File::open(path).unwrap()), &mut text).unwrap();
+    let scenes: Vec<_> = text.lines().map(|line| teeter_scene::Scene::from_json(line).unwrap()).collect();
+    assert_eq!(scenes.len(), 400);
+    let (next, clear, close) = (AtomicUsize::new(0), AtomicUsize::new(0), AtomicUsize::new(0));
+    std::thread::scope(|scope| {
+        for _ in 0..std::thread::available_parallelism().map_or(1, usize::from) {
+            scope.spawn(|| {
+                while let Some(scene) = scenes.get(next.fetch_add(1, Ordering::Relaxed)) {
+                    if falls(scene) != (scene.label.as_deref() == Some("unstable")) {
+                        let wrong = if scene.margin.unwrap().abs() >= 0.1 { &clear } else { &close };
+                        wrong.fetch_add(1, Ordering::Relaxed);
+                        eprintln!("{} with margin {:?} mm is judged wrong", scene.name, scene.margin);
+                    }
+                }
+            });
+        }
+    });
+    assert_eq!(clear.into_inner(), 0, "wrong with a margin of 0.1 mm or more");
+    assert!(close.into_inner() <= 1, "wrong with a margin below 0.1 mm");
+}
