@@ -1,0 +1,84 @@
+//! Makes the inputs that are recorded: a sweep of two rows, and a hand that takes a loose block and puts it on top.
+//!
+//! Where the hand goes is looked up in a world once, written down, and played from then on without looking.
+
+use std::path::Path;
+
+use glam::{DQuat, DVec3};
+use teeter_physics::{Drive, Grip, Hand, Input, Params, World};
+
+use crate::{Fault, write};
+
+/// Steps in which the tower settles before anything is done to it.
+const SETTLING: usize = 60;
+
+/// Records all inputs anew.
+///
+/// # Errors
+/// When a file cannot be written, or the tower has no loose block.
+pub fn record(dir: &Path) -> Result<(), Fault> {
+    write(dir, "sweep.jsonl", &lines(&sweep()))?;
+    write(dir, "pull.jsonl", &lines(&pull()?))
+}
+
+/// One input a line, empty where nothing acts.
+fn lines(inputs: &[Input]) -> String {
+    let line = |input: &Input| match input {
+        idle if *idle == Input::default() => "\n".to_owned(),
+        input => serde_json::to_string(input).expect("an input can always be written") + "\n",
+    };
+    inputs.iter().map(line).collect()
+}
+
+/// Two rows are driven out from under the others.
+fn sweep() -> Vec<Input> {
+    let drive = |body| Drive { body, velocity: DVec3::new(2.0, 0.5, 0.0), max_force: Drive::default_force() };
+    let mut inputs = vec![Input::default(); SETTLING];
+    inputs.resize(SETTLING + 12, Input { drives: (6..12).map(drive).collect(), ..Input::default() });
+    inputs
+}
+
+/// A hand that draws a loose block out by its end, carries it up and lays it on the tower.
+fn pull() -> Result<Vec<Input>, Fault> {
+    let scene = teeter_scene::named("tower").expect("it is on the list");
+    let mut world = World::new(&scene, Params::default()).map_err(|e| e.to_string())?;
+    let mut inputs = vec![Input::default(); SETTLING];
+    inputs.iter().for_each(|input| drop(world.step(input)));
+
+    let above = |body| world.contacts(body).iter().filter(|c| c.normal.z < -0.5).map(|c| c.force).sum::<f64>();
+    let below_top = world.len() as u32 - 3;
+    let body = (9..below_top).find(|&body| above(body) < 1e-3).ok_or("the tower has no loose block to pull")?;
+    let pose = |i: u32| &world.poses()[7 * i as usize..][..7];
+    let (place, q) = (DVec3::from_slice(pose(body)), rounded_turn(DQuat::from_slice(&pose(body)[3..])));
+    let top = (0..world.len() as u32).map(|i| pose(i)[2] + 0.5 * world.size(i).z).fold(0.0, f64::max);
+    let height = world.size(body).z;
+    let anchor = rounded(DVec3::new(0.5 * world.size(body).x, 0.0, 0.0));
+
+    let start = place + q * anchor;
+    let out = start + q * DVec3::X * 0.11;
+    let clear = top + 0.5 * height + 0.01;
+    let over = DVec3::new(0.0, 0.0, clear) + q * anchor;
+    let laid = over - DVec3::Z * 0.0105;
+    let way = [(out, 0.08, Grip::Slide), (out.with_z(over.z), 0.4, Grip::Carry), (over, 0.3, Grip::Carry), (laid, 0.04, Grip::Carry)];
+    let mut from = start;
+    for (to, speed, grip) in way {
+        let frames = ((to - from).length() / speed / world.params().frame).ceil();
+        for i in 1..=frames as u32 {
+            let target = rounded(from.lerp(to, f64::from(i) / frames));
+            let (max_force, max_torque) = (Hand::default_force(), Hand::default_torque());
+            let hand = Hand { body, anchor, target, orientation: Some(q), grip, axis: DVec3::ZERO, max_force, max_torque };
+            inputs.push(Input { hand: Some(hand), ..Input::default() });
+        }
+        from = to;
+    }
+    Ok(inputs)
+}
+
+/// To the micrometre: what a hand can be told, and short in a file.
+fn rounded(v: DVec3) -> DVec3 {
+    (v * 1e6).round() / 1e6
+}
+
+fn rounded_turn(q: DQuat) -> DQuat {
+    DQuat::from_array(q.to_array().map(|x| (x * 1e6).round() / 1e6))
+}

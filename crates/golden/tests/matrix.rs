@@ -1,0 +1,187 @@
+//! The golden results, in every way that this build can run. `tools/golden check` adds the other builds, and node plays the same runs.
+
+use std::path::{Path, PathBuf};
+
+use glam::DVec3;
+use teeter_golden::{Cell, Golden, Outcome, Run, mint, play_all, runs, table};
+use teeter_physics::{Input, Params, Precision, Width, World};
+
+fn dir() -> PathBuf {
+    Path::new(env!("CARGO_MANIFEST_DIR")).join("../../data/golden")
+}
+
+fn golden_runs() -> Vec<Run> {
+    runs(&dir()).unwrap()
+}
+
+fn run(name: &str) -> Run {
+    golden_runs().into_iter().find(|run| run.name == name).unwrap()
+}
+
+/// Each run gives its golden result.
+fn check(width: Width, threads: usize) {
+    let golden = Golden::read(&dir()).unwrap();
+    let runs = golden_runs();
+    let names: Vec<&str> = runs.iter().map(|run| run.name.as_str()).collect();
+    assert_eq!(names, golden.runs.iter().map(|run| run.name.as_str()).collect::<Vec<_>>(), "mint the results of the new runs");
+    for (name, outcome) in names.iter().zip(play_all(&runs, width, threads).unwrap()) {
+        assert_eq!(
+            Some(&outcome),
+            golden.outcome(name),
+            "run {name} in width {width:?} with {threads} threads; if the bits had to change: tools/golden mint \"why\""
+        );
+    }
+}
+
+#[test]
+fn plain_numbers_give_the_golden_results() {
+    check(Width::Portable, 1);
+}
+
+#[test]
+fn sse2_gives_the_golden_results() {
+    check(Width::Sse2, 1);
+}
+
+/// On a processor without AVX2 this is SSE2 once more.
+#[test]
+fn avx2_gives_the_golden_results() {
+    check(Width::Avx2, 1);
+}
+
+#[test]
+fn two_and_five_threads_give_the_golden_results() {
+    check(Width::Auto, 2);
+    check(Width::Auto, 5);
+}
+
+/// A world steps with the same bits whichever thread has it, in turn with others.
+#[test]
+fn a_world_may_change_threads_between_steps() {
+    let run = run("collapse");
+    let mut worlds: Vec<_> = (0..3).map(|_| run.world(Width::Auto).unwrap()).collect();
+    for input in &run.inputs[..80] {
+        std::thread::scope(|scope| {
+            for world in &mut worlds {
+                scope.spawn(|| world.step(input));
+            }
+        });
+    }
+    let mut alone = run.world(Width::Auto).unwrap();
+    run.inputs[..80].iter().for_each(|input| drop(alone.step(input)));
+    assert!(worlds.iter().all(|world| world.hash() == alone.hash()));
+}
+
+/// What the host has set for its thread: subnormals to zero on both sides, rounding towards zero.
+#[cfg(target_arch = "x86_64")]
+#[test]
+fn the_mode_of_the_host_does_not_matter() {
+    use std::arch::asm;
+
+    fn set(value: u32) {
+        // SAFETY: reads four bytes; exceptions stay masked.
+        unsafe { asm!("ldmxcsr [{}]", in(reg) &raw const value, options(nostack)) };
+    }
+    fn get() -> u32 {
+        let mut value = 0_u32;
+        // SAFETY: writes four bytes.
+        unsafe { asm!("stmxcsr [{}]", in(reg) &raw mut value, options(nostack)) };
+        value
+    }
+    const STANDARD: u32 = 0x1f80;
+    let golden = Golden::read(&dir()).unwrap();
+    for mode in [1 << 6 | 1 << 15, 3 << 13] {
+        for run in [run("collapse"), run("collapse-f64")] {
+            set(STANDARD | mode);
+            let outcome = run.play(Width::Auto);
+            let after = get();
+            set(STANDARD);
+            assert_eq!(after & mode, mode, "the host has its mode back");
+            assert_eq!(outcome.as_ref().ok(), golden.outcome(&run.name));
+        }
+    }
+    // the golden runs hold no subnormal number, and this one little else
+    let hash = |mode: u32| {
+        let mut scene = teeter_scene::named("block").unwrap();
+        scene.blocks[0].pos[2] += 1.0;
+        let mut world = World::new(&scene, Params::default()).unwrap();
+        world.set_velocity(0, DVec3::new(1e-310, 0.0, 0.0), DVec3::ZERO);
+        set(STANDARD | mode);
+        world.step(&Input::default());
+        set(STANDARD);
+        assert!(world.poses()[0] > 0.0, "it went nowhere");
+        world.hash()
+    };
+    assert_eq!(hash(0), hash(1 << 6 | 1 << 15));
+}
+
+/// The runs do what they are there for.
+#[test]
+fn the_runs_rest_fall_and_put_a_block_on_top() {
+    let end = |name: &str| {
+        let run = run(name);
+        let mut world = run.world(Width::Auto).unwrap();
+        let start = world.poses().to_vec();
+        run.inputs.iter().for_each(|input| drop(world.step(input)));
+        (run, start, world)
+    };
+    let place = |poses: &[f64], i: usize| DVec3::from_slice(&poses[7 * i..]);
+    let height = |poses: &[f64]| poses.chunks(7).map(|pose| pose[2]).fold(0.0, f64::max);
+
+    let (_, start, world) = end("rest");
+    assert!(height(world.poses()) > height(&start) - 1e-3);
+    for name in ["collapse", "collapse-f64"] {
+        let (_, start, world) = end(name);
+        let fallen = (0..world.len()).filter(|&i| place(world.poses(), i).z < place(&start, i).z - 0.02).count();
+        assert!(fallen > 30, "{name}: {fallen} blocks fell");
+    }
+    let (run, start, world) = end("pull");
+    let body = run.inputs.iter().find_map(|input| input.hand.as_ref()).unwrap().body as usize;
+    let top = height(world.poses());
+    assert_eq!(place(world.poses(), body).z, top);
+    assert!(top > height(&start) + 0.015);
+    for other in (0..world.len()).filter(|&i| i != body) {
+        assert!((place(world.poses(), other) - place(&start, other)).length() < 5e-3, "block {other} went along");
+    }
+}
+
+#[test]
+fn five_kinds_of_run_and_one_in_double_precision_come_to_their_end() {
+    let golden = Golden::read(&dir()).unwrap();
+    assert!(golden.runs.len() >= 6);
+    assert!(golden_runs().iter().any(|run| run.params.precision == Precision::Double));
+    for name in ["rest", "collapse", "pull", "midgame", "official"] {
+        assert!(golden.outcome(name).unwrap().step_of_rest.is_some(), "{name} does not come to rest");
+    }
+}
+
+#[test]
+fn minting_asks_for_a_reason() {
+    let before = std::fs::read(dir().join("hashes.json")).unwrap();
+    for reason in ["", "  ", "faster", "a b c"] {
+        assert!(mint(&dir(), reason).unwrap_err().contains("reason"));
+    }
+    assert_eq!(std::fs::read(dir().join("hashes.json")).unwrap(), before);
+}
+
+#[test]
+fn the_matrix_shows_what_differs_and_what_is_missing() {
+    let golden = Golden::read(&dir()).unwrap();
+    let cells = |column: &str| -> Vec<Cell> {
+        let cell = |m: &teeter_golden::Minted| Cell { column: column.into(), run: m.name.clone(), outcome: m.outcome.clone() };
+        golden.runs.iter().map(cell).collect()
+    };
+    let mut all = [cells("one"), cells("two")].concat();
+    let again: Vec<Cell> = all.iter().map(|cell| Cell::parse(&cell.line()).unwrap()).collect();
+    assert_eq!(again, all);
+    assert!(table(&golden, &all).1);
+    assert!(!table(&golden, &[]).1, "an empty matrix proves nothing");
+    all[1].outcome.hash = "0123456789abcdef".into();
+    let (text, equal) = table(&golden, &all);
+    assert!(!equal && text.contains("0123456789abcdef"));
+    all[1].outcome = Outcome { step_of_rest: Some(7), ..golden.runs[1].outcome.clone() };
+    assert!(!table(&golden, &all).1);
+    all.remove(1);
+    let (text, equal) = table(&golden, &all);
+    assert!(!equal && text.contains("missing"));
+}
