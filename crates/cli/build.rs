@@ -1,0 +1,12 @@
+//! Has the program built again when the page was.
+
+fn main() {
+    println!("cargo::rerun-if-changed=build.rs");
+    if std::env::var_os("CARGO_FEATURE_PAGE").is_some() {
+        let dist = concat!(env!("CARGO_MANIFEST_DIR"), "/../../web/dist");
+        println!("cargo::rerun-if-changed={dist}");
+        if !std::path::Path::new(dist).join("index.html").exists() {
+            println!("cargo::error=web/dist has no page to put into the program: run `make page` first");
+        }
+    }
+}

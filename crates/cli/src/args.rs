@@ -1,0 +1,192 @@
+//! The command line.
+
+use std::path::PathBuf;
+
+use clap::{Args, Parser, Subcommand, ValueEnum};
+use teeter_physics::{Params, Precision};
+use teeter_scene::{BlockPreset, MAX_ROWS};
+
+/// A real-time simulator of the tower game Jenga, where contact and friction are springs.
+#[derive(Debug, Parser)]
+#[command(name = "teeter", version, arg_required_else_help = true, disable_help_subcommand = true)]
+pub struct Arguments {
+    #[command(subcommand)]
+    pub command: Command,
+}
+
+#[derive(Debug, Subcommand)]
+pub enum Command {
+    /// Serve the page on this machine and open it: play.
+    Play(Play),
+    /// Print a scene: a tower, a configuration, or one of the list.
+    Scene(SceneArgs),
+    /// Simulate a scene and say whether it stands.
+    Run(Run),
+    /// Predict labelled towers: which fall, or at what tilt.
+    Score(Score),
+}
+
+#[derive(Debug, Args)]
+pub struct Play {
+    /// Port on 127.0.0.1, 0 for any free one [default: 8080, or a free one where that is taken].
+    #[arg(long)]
+    pub port: Option<u16>,
+    /// Leave the browser alone.
+    #[arg(long)]
+    pub no_open: bool,
+}
+
+#[derive(Debug, Args)]
+#[command(arg_required_else_help = true, disable_help_subcommand = true)]
+pub struct SceneArgs {
+    #[command(subcommand)]
+    pub what: What,
+}
+
+#[derive(Debug, Subcommand)]
+#[command(subcommand_help_heading = "What", allow_external_subcommands = true)]
+pub enum What {
+    /// Print a full tower as JSON.
+    Tower(Tower),
+    /// Print the tower of a configuration such as (010)-(010)-(011) as JSON.
+    Config(Config),
+    /// List the scenes that have names; `teeter scene NAME` prints one.
+    List(List),
+    /// A scene of the list.
+    #[command(external_subcommand)]
+    Named(Vec<String>),
+}
+
+#[derive(Debug, Args)]
+pub struct List {
+    /// One JSON object.
+    #[arg(long)]
+    pub json: bool,
+}
+
+#[derive(Debug, Args)]
+pub struct Tower {
+    /// Rows of three.
+    #[arg(long, default_value_t = 18, value_parser = clap::value_parser!(u32).range(1..=i64::from(MAX_ROWS)))]
+    pub rows: u32,
+    /// Standard deviation of the heights, mm; none is further off than twice that.
+    #[arg(long, default_value_t = 0.1, value_parser = number(0.0, 1.0), value_name = "MM")]
+    pub height_sd: f64,
+    /// Standard deviation of the masses, g [default: 1.85, in proportion for other blocks].
+    #[arg(long, value_parser = number(0.0, 4.9), value_name = "G")]
+    pub mass_sd: Option<f64>,
+    #[command(flatten)]
+    pub common: Common,
+}
+
+#[derive(Debug, Args)]
+pub struct Config {
+    /// Rows from the bottom: 1 is a block, 0 is none, L is a loose block (0.2 mm lower).
+    #[arg(long, required_unless_present = "loose", conflicts_with = "loose", value_name = "ROWS")]
+    pub config: Option<String>,
+    /// A full tower of which this names the loose blocks: L is a loose block, 0 an ordinary one.
+    #[arg(long, value_name = "ROWS")]
+    pub loose: Option<String>,
+    /// Standard deviation of the heights, mm.
+    #[arg(long, default_value_t = 0.0, value_parser = number(0.0, 1.0), value_name = "MM")]
+    pub height_sd: f64,
+    /// Standard deviation of the masses, g.
+    #[arg(long, default_value_t = 0.0, value_parser = number(0.0, 4.9), value_name = "G")]
+    pub mass_sd: f64,
+    #[command(flatten)]
+    pub common: Common,
+}
+
+#[derive(Debug, Args)]
+pub struct Common {
+    /// Seed of the scatter of heights and masses.
+    #[arg(long, default_value_t = 1)]
+    pub seed: u64,
+    /// Make of the blocks: dissertation (81 x 26.8 x 18 mm, 19.6 g) or official (75 x 25 x 15 mm, 14.1 g).
+    #[arg(long, default_value_t = BlockPreset::Dissertation)]
+    pub block: BlockPreset,
+    /// Coefficient of static friction.
+    #[arg(long, default_value_t = 0.4, value_parser = number(0.0, 2.0))]
+    pub friction: f64,
+    /// Coefficient of kinetic friction [default: that of static friction].
+    #[arg(long, value_parser = number(0.0, 2.0))]
+    pub kinetic_friction: Option<f64>,
+}
+
+#[derive(Debug, Args)]
+pub struct Run {
+    /// A scene's file, `-` for standard input, or the name of a scene of the list.
+    pub scene: PathBuf,
+    /// Time to simulate, s.
+    #[arg(long, default_value_t = 10.0, value_parser = number(0.02, 86_400.0))]
+    pub seconds: f64,
+    #[command(flatten)]
+    pub engine: Engine,
+    /// Let no block sleep: slower, and shows that nothing rests by being left out.
+    #[arg(long)]
+    pub no_sleep: bool,
+    /// One JSON object.
+    #[arg(long)]
+    pub json: bool,
+}
+
+#[derive(Debug, Args)]
+pub struct Score {
+    /// Scenes, one JSON object a line, packed by gzip or not; `-` for standard input.
+    pub scenes: PathBuf,
+    /// Where the predictions go, one JSON object a line [default: standard output].
+    #[arg(long, value_name = "FILE")]
+    pub out: Option<PathBuf>,
+    #[command(flatten)]
+    pub engine: Engine,
+    /// The summary as one JSON object on standard output; predictions then only go to --out.
+    #[arg(long)]
+    pub json: bool,
+}
+
+#[derive(Debug, Args)]
+pub struct Engine {
+    /// Stiffness of a contact of 26.8 mm by 26.8 mm, N/m, 1e4 to 1e8.
+    #[arg(long, default_value_t = 1e6, value_parser = number(1e4, 1e8), value_name = "N/M")]
+    pub stiffness: f64,
+    /// Number format of the inner loop.
+    #[arg(long, default_value_t = Format::Single)]
+    pub precision: Format,
+}
+
+/// Number format of the inner loop.
+#[derive(Debug, Clone, Copy, ValueEnum)]
+pub enum Format {
+    /// f32: fast, what is played.
+    Single,
+    /// f64: the truth.
+    Double,
+}
+
+impl std::fmt::Display for Format {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        f.write_str(match self {
+            Format::Single => "single",
+            Format::Double => "double",
+        })
+    }
+}
+
+impl Engine {
+    /// Constants of a run.
+    pub fn params(&self, sleep: bool) -> Params {
+        let precision = match self.precision {
+            Format::Single => Precision::Single,
+            Format::Double => Precision::Double,
+        };
+        Params { stiffness: self.stiffness, precision, sleep, ..Params::default() }
+    }
+}
+
+/// Reads a number from `low` to `high`; NaN is none.
+fn number(low: f64, high: f64) -> impl Fn(&str) -> Result<f64, String> + Clone + Send + Sync + 'static {
+    move |text| match text.parse::<f64>() {
+        Ok(x) if (low..=high).contains(&x) => Ok(x),
+        _ => Err(format!("expected a number from {low} to {high}")),
+    }
+}

@@ -1,0 +1,167 @@
+//! Whatever is wrong with the input: exit code 2, nothing on standard output, and one line on standard error that names it.
+#![allow(clippy::disallowed_methods, reason = "a refusal must be quick, which a clock tells")]
+
+mod common;
+
+use std::fs::File;
+use std::io::Write;
+use std::time::{Duration, Instant};
+
+use common::{teeter, teeter_with};
+use serde_json::{Value, json};
+
+fn good() -> Value {
+    json!({"name": "two", "friction": 0.4, "blocks": [
+        {"id": 7, "size": [0.081, 0.0268, 0.018], "mass": 0.0196, "pos": [0.0, 0.0, 0.009], "yaw": 0.0},
+        {"id": 9, "size": [0.081, 0.0268, 0.018], "mass": 0.0196, "pos": [0.0, 0.0, 0.027], "yaw": 0.0}]})
+}
+
+/// What `run` says of the good scene after `spoil`.
+fn fault_of(spoil: impl FnOnce(&mut Value)) -> String {
+    let mut scene = good();
+    spoil(&mut scene);
+    teeter_with(&["run", "-", "--seconds", "0.1", "--json"], scene.to_string().as_bytes()).fault().to_owned()
+}
+
+fn without(value: &mut Value, field: &str) {
+    value.as_object_mut().unwrap().remove(field).unwrap();
+}
+
+#[test]
+fn the_good_scene_runs() {
+    let report = teeter_with(&["run", "-", "--seconds", "0.1", "--json"], good().to_string().as_bytes()).json();
+    assert_eq!(report["stands"], true);
+}
+
+#[test]
+fn each_field_missing() {
+    for field in ["name", "friction", "blocks"] {
+        let fault = fault_of(|s| without(s, field));
+        assert!(fault.starts_with(&format!("standard input: missing field `{field}`")), "{fault}");
+    }
+    for field in ["size", "mass", "pos"] {
+        let fault = fault_of(|s| without(&mut s["blocks"][1], field));
+        assert!(fault.starts_with(&format!("standard input: block 9: missing field `{field}`")), "{fault}");
+    }
+    let fault = fault_of(|s| without(&mut s["blocks"][1], "id"));
+    assert!(fault.starts_with("standard input: block at place 1 of the list: missing field `id`"), "{fault}");
+}
+
+#[test]
+fn not_a_number() {
+    for (field, bad) in [("mass", json!(null)), ("mass", json!("NaN")), ("pos", json!([0, null, 0.027])), ("size", json!([null, 1, 1]))] {
+        let fault = fault_of(|s| s["blocks"][1][field] = bad);
+        assert!(fault.starts_with(&format!("standard input: block 9: `{field}")), "{fault}");
+    }
+    let text = good().to_string();
+    for bad in ["1e999", "-1e999", "NaN", "Infinity"] {
+        let done = teeter_with(&["run", "-"], text.replacen("0.0196", bad, 1).as_bytes());
+        done.fault();
+    }
+}
+
+#[test]
+fn impossible_blocks() {
+    assert!(
+        fault_of(|s| s["blocks"][0]["size"][1] = json!(0)).contains("block 7: `size` is [0.081, 0, 0.018] m, expected three lengths of")
+    );
+    assert!(fault_of(|s| s["blocks"][0]["size"][1] = json!(-0.02)).contains("block 7: `size`"));
+    assert!(fault_of(|s| s["blocks"][0]["mass"] = json!(0)).contains("block 7: `mass` is 0 kg, expected above 0"));
+    assert!(fault_of(|s| s["blocks"][1]["id"] = json!(7)).contains("block 7: `id` is used twice"));
+    assert!(fault_of(|s| s["blocks"][1]["pos"][2] = json!(0.020)).contains("blocks 7 and 9: `pos` makes them overlap by 7.000 mm"));
+    assert!(fault_of(|s| s["blocks"][0]["pos"][2] = json!(0.0)).contains("block 7: `pos` is 0.000 mm above the floor"));
+    assert!(fault_of(|s| s["blocks"] = json!([])).contains("`blocks` is a list of 0"));
+    assert!(fault_of(|s| s["friction"] = json!(3)).contains("`friction` is 3, expected 0 to 2"));
+    assert!(fault_of(|s| s["gravity"] = json!(-9.81)).contains("`gravity` is -9.81, expected 0 to 100 m/s²"));
+}
+
+/// A file whose size is 2 GB takes no room on most disks, but reading it would.
+#[test]
+fn two_gigabytes_are_refused_early() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("huge.json");
+    File::create(&path).unwrap().set_len(2 << 30).unwrap();
+    let path = path.to_str().unwrap();
+    for command in ["run", "score"] {
+        let start = Instant::now();
+        let fault = teeter(&[command, path]).fault().to_owned();
+        assert!(fault.contains("larger than"), "{fault}");
+        assert!(start.elapsed() < Duration::from_secs(1), "{command} took {:?}", start.elapsed());
+    }
+    let start = Instant::now();
+    let done = common::command(&["run", "-"]).stdin(File::open(path).unwrap()).output().unwrap();
+    assert_eq!(done.status.code(), Some(2));
+    assert!(String::from_utf8(done.stderr).unwrap().contains("larger than 64 MB"));
+    assert!(start.elapsed() < Duration::from_secs(2), "{:?}", start.elapsed());
+}
+
+#[test]
+fn a_packed_flood_is_refused() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("flood.jsonl.gz");
+    let mut packer = flate2::write::GzEncoder::new(File::create(&path).unwrap(), flate2::Compression::fast());
+    let blanks = vec![b' '; 1 << 20];
+    for _ in 0..100 {
+        packer.write_all(&blanks).unwrap();
+    }
+    packer.finish().unwrap();
+    let done = teeter(&["score", path.to_str().unwrap()]);
+    assert!(done.fault().ends_with("flood.jsonl.gz, line 1: the scene is larger than 64 MB, the most that is read"), "{}", done.err);
+}
+
+#[test]
+fn no_scene_at_all() {
+    let folder = tempfile::tempdir().unwrap();
+    let folder = folder.path().to_str().unwrap();
+    assert!(teeter(&["run", folder]).fault().ends_with(": this is a folder, expected a file"));
+    assert!(teeter(&["run", &format!("{folder}/none.json")]).fault().ends_with("none.json: there is no such file"));
+    assert!(teeter(&["score", &format!("{folder}/none.jsonl")]).fault().ends_with("none.jsonl: there is no such file"));
+    assert!(teeter(&["run", "nosuch"]).fault().starts_with("there is no scene `nosuch`, neither a file nor one of tower, "));
+    assert_eq!(teeter_with(&["run", "-"], b"").fault(), "standard input: the scene is empty, expected JSON");
+    assert!(teeter_with(&["run", "-"], b"two blocks, please").fault().starts_with("standard input: this is not JSON: expected"));
+    assert!(teeter_with(&["run", "-"], b"[1, 2]").fault().starts_with("standard input: the scene is a JSON list, expected a JSON object"));
+    assert_eq!(teeter_with(&["run", "-"], b"{\"name\": \"\xff\"}").fault(), "standard input: the scene is not text: byte 10 is not UTF-8");
+    assert!(teeter_with(&["score", "-"], b"\n\n").fault().starts_with("standard input: no scenes"));
+}
+
+#[test]
+fn faults_among_many_scenes_name_the_line() {
+    let mut bad = good();
+    bad["blocks"][0]["mass"] = json!(-1);
+    let lines = format!("{}\n\n{bad}\n", good());
+    let done = teeter_with(&["score", "-"], lines.as_bytes());
+    assert_eq!(done.fault(), "standard input, line 3: block 7: `mass` is -1 kg, expected above 0 and at most 10000 kg");
+}
+
+#[test]
+fn commands_that_are_none() {
+    for (args, found) in [
+        (&["frobnicate"][..], "frobnicate"),
+        (&["run"], "<SCENE>"),
+        (&["run", "tower", "--secnds", "3"], "--secnds"),
+        (&["run", "tower", "--seconds", "NaN"], "NaN"),
+        (&["run", "tower", "--seconds", "0"], "'0'"),
+        (&["run", "tower", "--stiffness", "1e3"], "1e3"),
+        (&["run", "tower", "--precision", "half"], "half"),
+        (&["scene", "tower", "--rows", "0"], "'0'"),
+        (&["scene", "tower", "--rows", "201"], "201"),
+        (&["scene", "tower", "--block", "lego"], "lego"),
+        (&["scene", "tower", "--height-sd", "-1"], "-1"),
+        (&["scene", "config"], "--config"),
+        (&["scene", "config", "--config", "(01)"], "row 1 of the configuration is `(01)`"),
+        (&["scene", "nosuch"], "nosuch"),
+        (&["scene", "tower", "--kinetic-friction", "0.5"], "`kinetic_friction` is 0.5, expected at most `friction`, 0.4"),
+        (&["score", "/dev/null", "--out", "/no/such/folder"], "no scenes"),
+    ] {
+        let done = teeter(args);
+        assert!(done.fault().contains(found), "{args:?}: {}", done.err);
+    }
+}
+
+#[test]
+fn a_reader_that_leaves_is_no_fault() {
+    let mut child = common::command(&["scene", "tower", "--rows", "200"]).spawn().unwrap();
+    drop(child.stdout.take());
+    let done = child.wait_with_output().unwrap();
+    assert_eq!((done.status.code(), done.stderr.as_slice()), (Some(0), &b""[..]));
+}

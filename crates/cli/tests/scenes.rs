@@ -1,0 +1,56 @@
+//! `teeter scene`: what it prints is a scene that `teeter run` takes.
+
+mod common;
+
+use common::{teeter, teeter_with};
+use serde_json::json;
+use teeter_scene::{NAMED, Scene};
+
+#[test]
+fn the_default_tower() {
+    let done = teeter(&["scene", "tower"]);
+    let scene = Scene::from_json(&done.out).unwrap();
+    assert_eq!(scene, teeter_scene::tower(&Default::default()).unwrap());
+    assert_eq!((done.code, done.err.as_str(), scene.blocks.len()), (0, "", 54));
+    assert_eq!(teeter(&["scene", "tower", "--rows", "18", "--seed", "1", "--block", "dissertation", "--height-sd", "0.1"]).out, done.out);
+}
+
+#[test]
+fn options_reach_the_tower() {
+    let scene =
+        teeter(&["scene", "tower", "--rows", "3", "--block", "official", "--height-sd", "0", "--mass-sd", "0", "--friction", "0.3"]).json();
+    assert_eq!(scene["blocks"].as_array().unwrap().len(), 9);
+    assert_eq!(scene["blocks"][4]["size"], json!([0.075, 0.025, 0.015]));
+    assert_eq!(scene["blocks"][4]["mass"], json!(0.0141));
+    assert_eq!(scene["friction"], json!(0.3));
+    assert_ne!(teeter(&["scene", "tower", "--seed", "2"]).out, teeter(&["scene", "tower"]).out);
+}
+
+#[test]
+fn configurations() {
+    let scene = teeter(&["scene", "config", "--config", "(010)-(010)-(011)"]).json();
+    assert_eq!(scene["name"], "(010)-(010)-(011)");
+    assert_eq!(scene["blocks"][3]["pos"], json!([0.0, 0.0271, 0.045]));
+    let scene = teeter(&["scene", "config", "--loose", "(L00)-(00L)"]).json();
+    assert_eq!(scene["blocks"].as_array().unwrap().len(), 6);
+}
+
+#[test]
+fn the_list_and_its_scenes() {
+    let plain = teeter(&["scene", "list"]);
+    let json = teeter(&["scene", "list", "--json"]).json();
+    assert_eq!(plain.out.lines().count(), NAMED.len());
+    for (entry, row) in NAMED.iter().zip(json["scenes"].as_array().unwrap()) {
+        assert!(plain.out.contains(entry.title));
+        assert_eq!((row["name"].as_str(), row["title"].as_str()), (Some(entry.name), Some(entry.title)));
+        let printed = if entry.name == "tower" { continue } else { teeter(&["scene", entry.name]) };
+        assert_eq!(Scene::from_json(&printed.out).unwrap(), entry.scene());
+    }
+}
+
+#[test]
+fn what_is_printed_can_be_run() {
+    let printed = teeter(&["scene", "tower", "--rows", "4", "--seed", "5"]);
+    let report = teeter_with(&["run", "-", "--seconds", "1", "--json"], printed.out.as_bytes()).json();
+    assert_eq!(report["stands"], true);
+}
