@@ -1,0 +1,104 @@
+// Questions of geometry about boxes: what a ray meets, what lies above a block, how a block may be turned without looking different.
+
+import { Quaternion, Vector3 } from 'three';
+import type { Bodies } from './bodies';
+
+export interface Hit {
+  body: number;
+  distance: number;
+  /** In the world, m. */
+  point: Vector3;
+  /** In the body's frame, m. */
+  anchor: Vector3;
+  /** Outward normal of the face, in the world. */
+  normal: Vector3;
+}
+
+/** First block that a ray meets. */
+export function pick(bodies: Bodies, origin: Vector3, direction: Vector3): Hit | null {
+  let best: Hit | null = null;
+  for (let body = 0; body < bodies.count; body++) {
+    const turn = bodies.turn(body);
+    const o = bodies.toLocal(body, origin);
+    const d = direction.clone().applyQuaternion(turn.clone().conjugate());
+    const half = bodies.size(body).multiplyScalar(0.5);
+    let near = -Infinity;
+    let far = Infinity;
+    let axis = 0;
+    for (let k = 0; k < 3; k++) {
+      const inverse = 1 / d.getComponent(k);
+      const a = (-half.getComponent(k) - o.getComponent(k)) * inverse;
+      const b = (half.getComponent(k) - o.getComponent(k)) * inverse;
+      if (Math.min(a, b) > near) {
+        near = Math.min(a, b);
+        axis = k;
+      }
+      far = Math.min(far, Math.max(a, b));
+    }
+    if (near > far || near <= 0 || (best && near >= best.distance)) continue;
+    const anchor = o.clone().addScaledVector(d, near);
+    const normal = new Vector3().setComponent(axis, -Math.sign(d.getComponent(axis))).applyQuaternion(turn);
+    best = { body, distance: near, point: origin.clone().addScaledVector(direction, near), anchor, normal };
+  }
+  return best;
+}
+
+function inside(bodies: Bodies, body: number, point: Vector3): boolean {
+  const local = bodies.toLocal(body, point, bodies.newest);
+  const size = bodies.size(body);
+  return Math.abs(local.x) < size.x / 2 && Math.abs(local.y) < size.y / 2 && Math.abs(local.z) < size.z / 2;
+}
+
+/**
+ * Whether the block can be lifted: nothing is above it within `clearance` metres.
+ * Load alone does not tell: a loose block carries nothing and still has the tower over it.
+ */
+export function isFree(bodies: Bodies, body: number, clearance = 0.012): boolean {
+  const size = bodies.size(body);
+  const rise = bodies.halfExtent(body, new Vector3(0, 0, 1), bodies.newest);
+  const centre = bodies.position(body, bodies.newest).z;
+  const reach = size.length() / 2;
+  const above: number[] = [];
+  for (let other = 0; other < bodies.count; other++) {
+    const offset = bodies.position(other, bodies.newest).sub(bodies.position(body, bodies.newest));
+    const near = reach + bodies.size(other).length() / 2 + clearance;
+    if (other !== body && offset.z > 0 && offset.length() < near) above.push(other);
+  }
+  if (above.length === 0) return true;
+  // Points of the block's own top, whichever of its faces that is, and of the space above it.
+  for (const x of [-0.48, -0.24, 0, 0.24, 0.48]) {
+    for (const y of [-0.48, 0, 0.48]) {
+      for (const z of [-0.48, 0, 0.48]) {
+        const point = bodies.toWorld(body, new Vector3(x * size.x, y * size.y, z * size.z), bodies.newest);
+        for (const height of [0.25 * clearance, clearance]) {
+          point.z = centre + rise + height;
+          if (above.some(other => inside(bodies, other, point))) return false;
+        }
+      }
+    }
+  }
+  return true;
+}
+
+/** Of the four turns in which a box looks the same as in `wanted`, the nearest to `current`. */
+export function nearestAlike(wanted: Quaternion, current: Quaternion): Quaternion {
+  let best = wanted;
+  for (const [x, y, z, w] of [
+    [0, 0, 0, 1],
+    [1, 0, 0, 0],
+    [0, 1, 0, 0],
+    [0, 0, 1, 0],
+  ]) {
+    const alike = wanted.clone().multiply(new Quaternion(x, y, z, w));
+    if (alike.angleTo(current) < best.angleTo(current)) best = alike;
+  }
+  return best;
+}
+
+/** The nearest turn to `current` in which the block lies flat, if it is within `limit` rad; `current` itself if not. */
+export function levelled(current: Quaternion, limit: number): Quaternion {
+  const up = new Vector3(0, 0, 1).applyQuaternion(current);
+  const flat = new Vector3(0, 0, Math.sign(up.z) || 1);
+  const level = new Quaternion().setFromUnitVectors(up, flat).multiply(current);
+  return level.angleTo(current) <= limit ? level : current.clone();
+}

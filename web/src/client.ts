@@ -1,0 +1,74 @@
+// The page's end of the worker.
+
+import type { Answer, Built, Frame, FromWorker, Question, SceneEntry, SceneSource, ToWorker, Wish } from './protocol';
+
+export interface Listener {
+  scenes(list: SceneEntry[]): void;
+  built(world: Built): void;
+  frame(frame: Frame): void;
+  refused(message: string): void;
+  failed(message: string): void;
+}
+
+export class Client {
+  private readonly worker: Worker;
+  private readonly open = new Map<number, (value: never) => void>();
+  private questions = 0;
+  private world = 0;
+  /** Longest time that one message of the worker held the page, ms. */
+  longestMessage = 0;
+
+  constructor(private readonly listener: Listener) {
+    this.worker = new Worker(new URL('./worker.ts', import.meta.url), { type: 'module' });
+    this.worker.onmessage = (event: MessageEvent<FromWorker>) => {
+      const before = performance.now();
+      this.receive(event.data);
+      this.longestMessage = Math.max(this.longestMessage, performance.now() - before);
+    };
+    this.worker.onerror = event => listener.failed(event.message || 'the worker did not start');
+  }
+
+  build(source: SceneSource, sleep: boolean): void {
+    this.send({ type: 'build', world: ++this.world, source, sleep });
+  }
+
+  hand(wish: Wish | null): void {
+    this.send({ type: 'hand', world: this.world, wish });
+  }
+
+  pause(paused: boolean): void {
+    this.send({ type: 'pause', paused });
+  }
+
+  ask<Q extends Question>(question: Q): Promise<Answer<Q>> {
+    const id = ++this.questions;
+    this.send({ type: 'ask', id, question });
+    return new Promise(resolve => this.open.set(id, resolve as (value: never) => void));
+  }
+
+  private send(message: ToWorker): void {
+    this.worker.postMessage(message);
+  }
+
+  private receive(message: FromWorker): void {
+    switch (message.type) {
+      case 'scenes':
+        return this.listener.scenes(message.list);
+      case 'built':
+        if (message.world === this.world) this.listener.built(message);
+        return;
+      case 'frame':
+        if (message.world === this.world) this.listener.frame(message);
+        return;
+      case 'refused':
+        return this.listener.refused(message.message);
+      case 'failed':
+        return this.listener.failed(message.message);
+      case 'answer': {
+        const resolve = this.open.get(message.id) as ((value: unknown) => void) | undefined;
+        this.open.delete(message.id);
+        resolve?.(message.value);
+      }
+    }
+  }
+}

@@ -1,0 +1,51 @@
+// `window.teeter`: a look into the page for tests and the curious. Nothing here changes anything.
+
+import type { Contact } from './protocol';
+
+export interface Inspect {
+  readonly ready: boolean;
+  /** Simulated time, s. */
+  readonly time: number;
+  readonly factor: number;
+  readonly capacity: number;
+  readonly fps: number;
+  readonly awake: number;
+  readonly state: string;
+  readonly paused: boolean;
+  readonly count: number;
+  readonly quality: string;
+  /** Seven numbers a body: position (m), orientation (x, y, z, w). */
+  readonly poses: number[];
+  /** Three numbers a body, m. */
+  readonly sizes: number[];
+  readonly camera: { azimuth: number; elevation: number; position: number[] };
+  /** What the hand does, if anything. */
+  readonly hand: {
+    body: number;
+    grip: string;
+    force: number;
+    capped: boolean;
+    placing: boolean;
+    slot: number[] | null;
+    holders: number[];
+  } | null;
+  /** Centres of the free slots for the block in the hand, m. */
+  readonly slots: number[][];
+  readonly quarantined: number[];
+  /** Longest time that the page's own thread was held, ms: by a message of the worker, by one picture. */
+  readonly longest: { physics: number; picture: number };
+  hash(): Promise<{ hash: string; time: number }>;
+  contacts(body: number): Promise<Contact[]>;
+  /** Screen position (CSS px) of a point in a block's frame (m; its centre if not given). */
+  screenOf(body: number, local?: [number, number, number]): { x: number; y: number };
+  /** Screen position (CSS px) of a point in the world, m. */
+  project(point: [number, number, number]): { x: number; y: number };
+  /** The block that is seen at a place on the screen. */
+  blockAt(x: number, y: number): number | null;
+}
+
+declare global {
+  interface Window {
+    teeter: Inspect;
+  }
+}

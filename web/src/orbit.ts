@@ -1,0 +1,130 @@
+// The camera: turns about a point on the tower's axis, to every side and from above, never below the table.
+
+import { MathUtils, PerspectiveCamera, Vector3 } from 'three';
+
+const LOWEST = MathUtils.degToRad(1);
+const HIGHEST = MathUtils.degToRad(89);
+const NEAREST = 0.12;
+const FARTHEST = 4;
+/** Time in which the camera makes up most of its lag, s. */
+const EASE = 0.07;
+
+interface View {
+  azimuth: number;
+  elevation: number;
+  distance: number;
+  height: number;
+}
+
+export class Orbit {
+  readonly camera = new PerspectiveCamera(34, 1, 0.02, 20);
+  private goal: View = { azimuth: -0.9, elevation: 0.35, distance: 1, height: 0.15 };
+  private now: View = { ...this.goal };
+  private top = 0.33;
+
+  constructor(private readonly calm: boolean) {
+    this.camera.up.set(0, 0, 1);
+    this.apply();
+  }
+
+  get azimuth(): number {
+    return this.now.azimuth;
+  }
+
+  get elevation(): number {
+    return this.now.elevation;
+  }
+
+  resize(width: number, height: number): void {
+    this.camera.aspect = width / height;
+    this.camera.updateProjectionMatrix();
+  }
+
+  /** Turns by a drag, px. */
+  drag(dx: number, dy: number): void {
+    this.turn(-dx * 0.007, dy * 0.006);
+  }
+
+  turn(azimuth: number, elevation: number): void {
+    this.goal.azimuth += azimuth;
+    this.goal.elevation = MathUtils.clamp(this.goal.elevation + elevation, LOWEST, HIGHEST);
+  }
+
+  /** Multiplies the distance. */
+  zoom(factor: number): void {
+    this.goal.distance = MathUtils.clamp(this.goal.distance * factor, NEAREST, FARTHEST);
+  }
+
+  /** Moves the point that is looked at up or down by a drag, px of a picture `viewport` px high. */
+  lift(dy: number, viewport: number): void {
+    const span = 2 * this.goal.distance * Math.tan(MathUtils.degToRad(this.camera.fov / 2));
+    this.goal.height = MathUtils.clamp(this.goal.height + (dy / viewport) * span, 0.01, Math.max(0.2, this.top + 0.1));
+  }
+
+  /** Looks at the whole of a tower of height `top`, m. */
+  frame(top: number, azimuth?: number): void {
+    this.top = top;
+    const tan = Math.tan(MathUtils.degToRad(this.camera.fov / 2));
+    // Room for a new row and for the hand above it, and for the panel beside it.
+    const tall = (top + 0.12) / 2;
+    const wide = 0.13;
+    this.goal = {
+      azimuth: azimuth ?? this.goal.azimuth,
+      elevation: 0.36,
+      distance: Math.max(tall / tan, wide / (tan * this.camera.aspect)) * 1.12 + 0.06,
+      height: top / 2 + 0.005,
+    };
+    if (azimuth !== undefined) {
+      this.now = { ...this.goal };
+      this.apply();
+    }
+  }
+
+  /** Stands still where it is: a held block must not be led by the camera. */
+  halt(): void {
+    this.goal = { ...this.now };
+  }
+
+  /** Moves on by `dt` seconds; whether the picture changes. */
+  update(dt: number): boolean {
+    const part = this.calm ? 1 : 1 - Math.exp(-dt / EASE);
+    let moved = false;
+    for (const key of ['azimuth', 'elevation', 'distance', 'height'] as const) {
+      const way = this.goal[key] - this.now[key];
+      if (way === 0) continue;
+      moved = true;
+      this.now[key] = Math.abs(way) < 1e-4 ? this.goal[key] : this.now[key] + part * way;
+    }
+    if (moved) this.apply();
+    return moved;
+  }
+
+  /** Screen position (CSS px) of a point in a picture of `width` x `height`. */
+  project(point: Vector3, width: number, height: number): { x: number; y: number } {
+    const ndc = point.clone().project(this.camera);
+    return { x: (0.5 + ndc.x / 2) * width, y: (0.5 - ndc.y / 2) * height };
+  }
+
+  /** Direction from the camera through a point of the screen. */
+  ray(x: number, y: number, width: number, height: number): Vector3 {
+    return new Vector3((2 * x) / width - 1, 1 - (2 * y) / height, 0.5).unproject(this.camera).sub(this.camera.position).normalize();
+  }
+
+  /** Pixels per metre at the depth of `point`, in a picture `height` px high. */
+  scaleAt(point: Vector3, height: number): number {
+    const depth = point.clone().sub(this.camera.position).dot(this.forward());
+    return height / (2 * Math.max(depth, 0.02) * Math.tan(MathUtils.degToRad(this.camera.fov / 2)));
+  }
+
+  forward(): Vector3 {
+    return this.camera.getWorldDirection(new Vector3());
+  }
+
+  private apply(): void {
+    const { azimuth, elevation, distance, height } = this.now;
+    const flat = distance * Math.cos(elevation);
+    this.camera.position.set(flat * Math.cos(azimuth), flat * Math.sin(azimuth), Math.max(0.012, height + distance * Math.sin(elevation)));
+    this.camera.lookAt(0, 0, height);
+    this.camera.updateMatrixWorld();
+  }
+}

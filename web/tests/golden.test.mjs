@@ -1,0 +1,23 @@
+// The page's engine gives the same bits as the native one, with vectors and without.
+
+import assert from 'node:assert/strict';
+import { test } from 'node:test';
+import { BUILDS, bytes, golden, play } from './golden.mjs';
+
+for (const build of Object.keys(BUILDS)) {
+  test(`wasm ${build} gives the golden results`, async () => {
+    const expected = await golden();
+    assert.ok(expected.length >= 6);
+    assert.deepEqual(await play(build), expected);
+  });
+}
+
+test('one build has vectors and the other has none', async () => {
+  const features = async build => {
+    const sections = WebAssembly.Module.customSections(new WebAssembly.Module(await bytes(build)), 'target_features');
+    return sections.map(section => Buffer.from(section).toString('latin1')).join();
+  };
+  assert.match(await features('simd128'), /\+.simd128/);
+  assert.match(await features('scalar'), /sign-ext/);
+  assert.doesNotMatch(await features('scalar'), /simd128/);
+});

@@ -1,0 +1,103 @@
+// A headless Chromium on the built page. WebGL is drawn in software there, so tests hold the picture small.
+
+import { existsSync } from 'node:fs';
+import { fileURLToPath } from 'node:url';
+import { chromium, type Browser, type BrowserContextOptions, type Page } from 'playwright-core';
+import { preview, type PreviewServer } from 'vite';
+
+const ROOT = fileURLToPath(new URL('../..', import.meta.url));
+const PLACES = ['/usr/bin/chromium', '/usr/bin/chromium-browser', '/usr/bin/google-chrome'];
+const FLAGS = [
+  '--no-sandbox',
+  '--use-gl=angle',
+  '--use-angle=swiftshader',
+  '--disable-gpu-sandbox',
+  '--disable-quic',
+  '--no-first-run',
+  '--disable-background-networking',
+  '--disable-component-update',
+  '--disable-sync',
+];
+/** The page as most tests open it: a fifth of the resolution, the cheapest tier. */
+export const SMALL = 'help=0&view=small&scale=0.2';
+
+export class Session {
+  readonly complaints: string[] = [];
+
+  private constructor(
+    readonly page: Page,
+    private readonly close: () => Promise<void>,
+  ) {
+    page.on('console', message => {
+      if (message.type() === 'error' || message.type() === 'warning') this.complaints.push(message.text());
+    });
+    page.on('pageerror', error => this.complaints.push(error.message));
+    page.on('requestfailed', request => this.complaints.push(`request failed: ${request.url()}`));
+  }
+
+  /** Opens the page. `before` runs ahead of it; a page that is not expected to get `ready` is not waited for. */
+  static async open(
+    host: Host,
+    query: string,
+    {
+      before,
+      ready = true,
+      ...options
+    }: BrowserContextOptions & { before?: (page: Page) => Promise<unknown> | void; ready?: boolean } = {},
+  ): Promise<Session> {
+    const context = await host.browser.newContext({ viewport: { width: 900, height: 700 }, ...options });
+    const session = new Session(await context.newPage(), () => context.close());
+    await before?.(session.page);
+    await session.page.goto(`${host.address}?${query}`);
+    if (ready) await session.page.waitForFunction(() => window.teeter?.ready);
+    return session;
+  }
+
+  async [Symbol.asyncDispose](): Promise<void> {
+    await this.close();
+  }
+
+  /** Waits until simulated time has gone on by `seconds`. */
+  async simulate(seconds: number): Promise<void> {
+    const until = (await this.page.evaluate(() => window.teeter.time)) + seconds;
+    await this.page.waitForFunction(t => window.teeter.time >= t, until);
+  }
+
+  poses(): Promise<number[]> {
+    return this.page.evaluate(() => window.teeter.poses);
+  }
+}
+
+export interface Host {
+  browser: Browser;
+  address: string;
+  stop(): Promise<void>;
+}
+
+export async function host(): Promise<Host> {
+  const executablePath = process.env.CHROMIUM ?? PLACES.find(existsSync);
+  if (!executablePath) throw new Error('no Chromium: install the package chromium, or name one in the variable CHROMIUM');
+  if (!existsSync(`${ROOT}/dist/index.html`)) throw new Error('the page is not built: npm run build');
+  const server: PreviewServer = await preview({
+    root: ROOT,
+    configFile: false,
+    base: './',
+    logLevel: 'silent',
+    preview: { host: '127.0.0.1', port: 0 },
+  });
+  const browser = await chromium.launch({ executablePath, args: FLAGS });
+  const { port } = server.httpServer.address() as { port: number };
+  return {
+    browser,
+    address: `http://127.0.0.1:${port}/`,
+    async stop() {
+      await browser.close();
+      await server.close();
+    },
+  };
+}
+
+/** How far each body is from where it was, m. */
+export function ways(before: number[], after: number[]): number[] {
+  return Array.from({ length: before.length / 7 }, (_, i) => Math.hypot(...[0, 1, 2].map(k => after[7 * i + k] - before[7 * i + k])));
+}

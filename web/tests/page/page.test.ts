@@ -1,0 +1,443 @@
+// The page in a real browser: it loads, it draws, the tower stands, and a game can be played with mouse and with touch.
+
+import type { Page } from 'playwright-core';
+import { afterAll, beforeAll, expect, test } from 'vitest';
+import { host, Session, SMALL, ways, type Host } from './browser';
+
+let chrome: Host;
+beforeAll(async () => {
+  chrome = await host();
+});
+afterAll(() => chrome?.stop());
+
+test('loads without a complaint, asks nobody else, and draws', async () => {
+  const foreign: string[] = [];
+  await using session = await Session.open(chrome, 'help=0&quality=medium&scale=0.5', {
+    before: async page => {
+      page.on('request', request => {
+        if (!/^(http:\/\/127\.0\.0\.1:|data:|blob:)/.test(request.url())) foreign.push(request.url());
+      });
+    },
+  });
+  const picture = await session.page.locator('#picture').screenshot();
+  const spread = await session.page.evaluate(async data => {
+    const image = await createImageBitmap(await (await fetch(`data:image/png;base64,${data}`)).blob());
+    const canvas = new OffscreenCanvas(image.width, image.height);
+    const context = canvas.getContext('2d')!;
+    context.drawImage(image, 0, 0);
+    // The middle third, where the tower stands, without the controls.
+    const [x, y, w, h] = [image.width / 3, image.height / 4, image.width / 3, image.height / 3].map(Math.round);
+    const { data: pixels } = context.getImageData(x, y, w, h);
+    let [sum, squares] = [0, 0];
+    for (let i = 0; i < pixels.length; i += 4) {
+      const light = (pixels[i] + pixels[i + 1] + pixels[i + 2]) / 3;
+      sum += light;
+      squares += light * light;
+    }
+    const n = pixels.length / 4;
+    return Math.sqrt(squares / n - (sum / n) ** 2);
+  }, picture.toString('base64'));
+  expect(spread, 'standard deviation of the brightness, of 255').toBeGreaterThan(15);
+  expect(session.complaints).toEqual([]);
+  expect(foreign).toEqual([]);
+});
+
+test('the tower stands ten seconds, awake', async () => {
+  await using session = await Session.open(chrome, `${SMALL}&sleep=0&render=once`);
+  await session.simulate(1);
+  const before = await session.poses();
+  const first = await session.page.evaluate(() => window.teeter.hash());
+  await session.simulate(10);
+  const after = await session.poses();
+  const told = await session.page.evaluate(async () => {
+    const { state, count, awake, quarantined } = window.teeter;
+    return { state, count, awake, quarantined, hash: await window.teeter.hash() };
+  });
+  expect(told.count).toBe(54);
+  expect(told.awake).toBe(54);
+  expect(told.state).toBe('standing');
+  expect(told.quarantined).toEqual([]);
+  expect(Math.max(...ways(before, after)), 'largest way of a block, m').toBeLessThan(1e-5);
+  expect(first.hash).toMatch(/^[0-9a-f]{16}$/);
+  expect(told.hash.hash).not.toBe(first.hash);
+  expect(session.complaints).toEqual([]);
+});
+
+test('the same seed and no hand give the same states', async () => {
+  // States are asked for as they come; those of equal time are compared.
+  const runs: Map<string, string>[] = [];
+  for (let run = 0; run < 2; run++) {
+    await using session = await Session.open(chrome, `${SMALL}&rows=6&seed=5&sleep=0&render=once`);
+    const states = await session.page.evaluate(async () => {
+      const found: [string, string][] = [];
+      while (window.teeter.time < 3) {
+        const { hash, time } = await window.teeter.hash();
+        found.push([time.toFixed(4), hash]);
+        await new Promise(resolve => setTimeout(resolve, 4));
+      }
+      return found;
+    });
+    runs.push(new Map(states));
+  }
+  const common = [...runs[0].keys()].filter(time => runs[1].has(time));
+  expect(common.length).toBeGreaterThan(30);
+  expect(common.map(time => runs[1].get(time))).toEqual(common.map(time => runs[0].get(time)));
+  expect(new Set(runs[0].values()).size, 'states differ from time to time').toBeGreaterThan(30);
+});
+
+/** A loose block below the top rows whose end faces the viewer, or null. */
+function findLoose(session: Session) {
+  return session.page.evaluate(async () => {
+    const { teeter } = window;
+    for (let body = 6; body < teeter.count - 9; body++) {
+      const contacts = await teeter.contacts(body);
+      const load = contacts.filter(c => c.normal[2] < -0.5).reduce((sum, c) => sum + c.force, 0);
+      if (load > 1e-3) continue;
+      // Of the two ends the one whose middle is seen.
+      for (const side of [1, -1]) {
+        const end: [number, number, number] = [(side * teeter.sizes[3 * body]) / 2, 0, 0];
+        const at = teeter.screenOf(body, end);
+        if (teeter.blockAt(at.x, at.y) !== body) continue;
+        const inner = teeter.screenOf(body, [0, 0, 0]);
+        // An end that faces the viewer shows the block coming out towards the viewer: its way on the screen goes down.
+        if (at.y <= inner.y) continue;
+        const out = teeter.screenOf(body, [(side * teeter.sizes[3 * body]) / 2 + side * 0.12, 0, 0]);
+        return { body, at, out };
+      }
+    }
+    return null;
+  });
+}
+
+async function drag(session: Session, from: { x: number; y: number }, to: { x: number; y: number }, steps: number, pause: number) {
+  for (let k = 1; k <= steps; k++) {
+    await session.page.mouse.move(from.x + ((to.x - from.x) * k) / steps, from.y + ((to.y - from.y) * k) / steps);
+    await session.page.waitForTimeout(pause);
+  }
+}
+
+test('a loose block is pulled out with the mouse, carried, and put on top', async () => {
+  await using session = await Session.open(chrome, `${SMALL}&seed=1`);
+  const { page } = session;
+  await session.simulate(2);
+  const loose = await findLoose(session);
+  expect(loose, 'a loose block').not.toBeNull();
+  const { body, at, out } = loose!;
+  const before = await session.poses();
+
+  await page.mouse.move(at.x, at.y);
+  await page.mouse.down();
+  expect(await page.evaluate(() => window.teeter.hand?.body)).toBe(body);
+  await drag(session, at, out, 60, 40);
+  await page.waitForFunction(() => window.teeter.hand?.grip === 'carry');
+  const free = await session.poses();
+  const pulled = ways(before, free);
+  expect(pulled[body], 'way of the pulled block, m').toBeGreaterThan(0.05);
+  expect(Math.max(...pulled.filter((_, i) => i !== body)), 'way of any other block, m').toBeLessThan(1e-3);
+
+  await page.waitForFunction(() => window.teeter.slots.length === 3);
+  const way = await page.evaluate(b => {
+    const here = window.teeter.screenOf(b);
+    const there = window.teeter.project(window.teeter.slots[1] as [number, number, number]);
+    return { x: there.x - here.x, y: there.y - here.y, slot: window.teeter.slots[1] };
+  }, body);
+  await drag(session, out, { x: out.x + way.x, y: out.y + way.y }, 60, 40);
+  await page.waitForFunction(() => window.teeter.hand?.slot);
+  await page.mouse.up();
+  await page.waitForFunction(() => window.teeter.hand === null, undefined, { timeout: 20_000 });
+  await session.simulate(1.5);
+
+  const after = await session.poses();
+  const place = after.slice(7 * body, 7 * body + 3);
+  expect(Math.hypot(place[0] - way.slot[0], place[1] - way.slot[1]), 'beside its slot, m').toBeLessThan(0.004);
+  expect(place[2] - Math.max(...after.filter((_, i) => i % 7 === 2 && (i - 2) / 7 !== body)), 'above the row beneath, m').toBeGreaterThan(
+    0.01,
+  );
+  const moved = ways(before, after);
+  expect(Math.max(...moved.filter((_, i) => i !== body)), 'way of any other block, m').toBeLessThan(0.005);
+  expect(await page.evaluate(() => window.teeter.state)).toBe('standing');
+  expect(session.complaints).toEqual([]);
+});
+
+test('a block that was let fall is put on top by the button', async () => {
+  await using session = await Session.open(chrome, `${SMALL}&rows=6&seed=2`);
+  const { page } = session;
+  await session.simulate(1);
+  const before = await session.poses();
+  // The block that sticks out least is taken from the top row, swung aside, and let go over the table.
+  const top = (await page.evaluate(() => {
+    for (let body = window.teeter.count - 3; body < window.teeter.count; body++) {
+      const at = window.teeter.screenOf(body, [0, 0, window.teeter.sizes[3 * body + 2] / 2]);
+      if (window.teeter.blockAt(at.x, at.y) === body) return { body, ...at };
+    }
+    return null;
+  }))!;
+  const { body } = top;
+  await page.mouse.move(top.x, top.y);
+  await page.mouse.down();
+  await drag(session, top, { x: top.x, y: top.y - 120 }, 20, 30);
+  await drag(session, { x: top.x, y: top.y - 120 }, { x: top.x + 330, y: top.y - 60 }, 30, 40);
+  await session.simulate(1);
+  await page.mouse.up();
+  await session.simulate(2.5);
+  const dropped = await session.poses();
+  expect(dropped[7 * body + 2], 'height of the block on the table, m').toBeLessThan(0.05);
+  expect(await page.evaluate(() => window.teeter.state), 'what the player lets go has not fallen').toBe('standing');
+  await page.waitForSelector('#place:enabled');
+  await page.click('#place');
+  await page.waitForFunction(() => window.teeter.hand?.placing);
+  await page.waitForFunction(() => window.teeter.hand === null, undefined, { timeout: 20_000 });
+  await session.simulate(1);
+  const after = await session.poses();
+  expect(Math.abs(after[7 * body + 2] - before[7 * body + 2]), 'back at the height of the top row, m').toBeLessThan(0.001);
+  const moved = ways(before, after);
+  expect(Math.max(...moved.filter((_, i) => i !== body)), 'way of any other block, m').toBeLessThan(0.002);
+});
+
+test('a block that carries the tower does not move, and the page says what holds it', async () => {
+  await using session = await Session.open(chrome, `${SMALL}&seed=1&cap=1`);
+  const { page } = session;
+  await session.simulate(2);
+  const heavy = await page.evaluate(async () => {
+    const { teeter } = window;
+    let best: { body: number; load: number; at: { x: number; y: number }; out: { x: number; y: number } } | null = null;
+    for (let body = 0; body < 12; body++) {
+      const load = (await teeter.contacts(body)).filter(c => c.normal[2] < -0.5).reduce((sum, c) => sum + c.force, 0);
+      for (const side of [1, -1]) {
+        const half = (side * teeter.sizes[3 * body]) / 2;
+        const at = teeter.screenOf(body, [half, 0, 0]);
+        if (teeter.blockAt(at.x, at.y) !== body || at.y <= teeter.screenOf(body).y) continue;
+        if (!best || load > best.load) best = { body, load, at, out: teeter.screenOf(body, [half + side * 0.05, 0, 0]) };
+      }
+    }
+    return best;
+  });
+  expect(heavy!.load, 'load on it, N').toBeGreaterThan(2);
+  const before = await session.poses();
+  await page.mouse.move(heavy!.at.x, heavy!.at.y);
+  await page.mouse.down();
+  await drag(session, heavy!.at, heavy!.out, 20, 30);
+  await page.waitForFunction(() => (window.teeter.hand?.holders.length ?? 0) > 0);
+  expect(await page.locator('#ring-note').textContent()).toMatch(/held by \d+ blocks?, \d+\.\d N/);
+  expect(await page.evaluate(() => window.teeter.hand!.force)).toBeLessThanOrEqual(1.001);
+  expect(ways(before, await session.poses())[heavy!.body], 'way of the block, m').toBeLessThan(1e-3);
+  await page.keyboard.press('Escape');
+  expect(await page.evaluate(() => window.teeter.hand)).toBeNull();
+  await page.mouse.up();
+});
+
+test('a tap on its end pokes a loose block inwards', async () => {
+  await using session = await Session.open(chrome, `${SMALL}&seed=1`);
+  await session.simulate(2);
+  const { body, at } = (await findLoose(session))!;
+  const before = await session.poses();
+  for (let tap = 0; tap < 2; tap++) {
+    await session.page.mouse.click(at.x, at.y);
+    await session.simulate(0.8);
+  }
+  const moved = ways(before, await session.poses());
+  expect(moved[body], 'way of the poked block, m').toBeGreaterThan(0.002);
+  expect(Math.max(...moved.filter((_, i) => i !== body)), 'way of any other block, m').toBeLessThan(1e-3);
+  expect(await session.page.evaluate(() => window.teeter.hand)).toBeNull();
+});
+
+test('a pause lets the camera turn while a block is held, and the hand goes on after it', async () => {
+  await using session = await Session.open(chrome, `${SMALL}&seed=1`);
+  const { page } = session;
+  await session.simulate(1);
+  const top = await page.evaluate(() => {
+    const { teeter } = window;
+    for (let body = teeter.count - 3; body < teeter.count; body++) {
+      const at = teeter.screenOf(body, [0, 0, teeter.sizes[3 * body + 2] / 2]);
+      if (teeter.blockAt(at.x, at.y) === body) return { body, at };
+    }
+    return null;
+  });
+  const { body, at } = top!;
+  await page.mouse.move(at.x, at.y);
+  await page.mouse.down();
+  await drag(session, at, { x: at.x, y: at.y - 60 }, 20, 30);
+  await session.simulate(0.5);
+  const look = () =>
+    page.evaluate(() => ({
+      camera: window.teeter.camera,
+      time: window.teeter.time,
+      hand: window.teeter.hand,
+      paused: window.teeter.paused,
+    }));
+  const held = await look();
+  expect(held.hand).toMatchObject({ body, grip: 'carry' });
+
+  // While a block is held and time runs, the pointer does not turn the camera.
+  await page.keyboard.press(' ');
+  const frozen = await look();
+  expect(frozen.paused).toBe(true);
+  expect(frozen.camera.azimuth).toBe(held.camera.azimuth);
+  await drag(session, { x: at.x, y: at.y - 60 }, { x: at.x + 150, y: at.y - 20 }, 15, 20);
+  await page.waitForTimeout(600);
+  const turned = await look();
+  expect(Math.abs(turned.camera.azimuth - held.camera.azimuth), 'turn of the camera, rad').toBeGreaterThan(0.5);
+  expect(turned.hand).toMatchObject({ body, grip: 'carry' });
+  await page.waitForTimeout(200);
+  expect((await look()).time, 'time stands still').toBe(turned.time);
+
+  const before = await session.poses();
+  await page.keyboard.press(' ');
+  await session.simulate(0.2);
+  await drag(session, { x: at.x + 150, y: at.y - 20 }, { x: at.x + 150, y: at.y - 60 }, 15, 30);
+  await session.simulate(0.5);
+  const resumed = await look();
+  expect(resumed.hand).toMatchObject({ body, grip: 'carry' });
+  expect(resumed.camera.azimuth, 'the camera is still again').toBeCloseTo((await look()).camera.azimuth, 9);
+  const after = await session.poses();
+  expect(after[7 * body + 2] - before[7 * body + 2], 'rise of the held block, m').toBeGreaterThan(0.01);
+  await page.mouse.up();
+});
+
+test('a finger on empty space turns the camera, two fingers zoom, and the tower stays', async () => {
+  await using session = await Session.open(chrome, SMALL, {
+    viewport: { width: 390, height: 844 },
+    hasTouch: true,
+    isMobile: true,
+    deviceScaleFactor: 2,
+  });
+  const { page } = session;
+  const before = { camera: await page.evaluate(() => window.teeter.camera), poses: await session.poses() };
+  const touch = await page.context().newCDPSession(page);
+  const send = (type: 'touchStart' | 'touchMove' | 'touchEnd', touchPoints: { x: number; y: number; id: number }[]) =>
+    touch.send('Input.dispatchTouchEvent', { type, touchPoints });
+  await send('touchStart', [{ x: 60, y: 250, id: 0 }]);
+  for (let k = 1; k <= 10; k++) await send('touchMove', [{ x: 60 + 16 * k, y: 250 + 6 * k, id: 0 }]);
+  await send('touchEnd', []);
+  await page.waitForTimeout(600);
+  const turned = await page.evaluate(() => window.teeter.camera);
+  expect(Math.abs(turned.azimuth - before.camera.azimuth), 'rad').toBeGreaterThan(0.5);
+  expect(turned.elevation - before.camera.elevation, 'rad').toBeGreaterThan(0.15);
+
+  const distance = (c: { position: number[] }) => Math.hypot(c.position[0], c.position[1]);
+  await send('touchStart', [{ x: 60, y: 160, id: 0 }]);
+  await send('touchStart', [
+    { x: 60, y: 160, id: 0 },
+    { x: 100, y: 200, id: 1 },
+  ]);
+  for (let k = 1; k <= 10; k++) {
+    await send('touchMove', [
+      { x: 60 - 3 * k, y: 160 - 3 * k, id: 0 },
+      { x: 100 + 6 * k, y: 200 + 6 * k, id: 1 },
+    ]);
+  }
+  await send('touchEnd', []);
+  await page.waitForTimeout(600);
+  expect(distance(await page.evaluate(() => window.teeter.camera)) / distance(turned), 'closer by').toBeLessThan(0.8);
+  expect(Math.max(...ways(before.poses, await session.poses()))).toBeLessThan(1e-3);
+
+  // The first finger on a block is the hand, the second moves the block away; the camera stands still.
+  await page.keyboard.press('f');
+  await page.waitForTimeout(800);
+  const top = (await page.evaluate(() => {
+    for (let body = window.teeter.count - 3; body < window.teeter.count; body++) {
+      const at = window.teeter.screenOf(body, [0, 0, window.teeter.sizes[3 * body + 2] / 2]);
+      if (window.teeter.blockAt(at.x, at.y) === body) return { body, ...at };
+    }
+    return null;
+  }))!;
+  const camera = await page.evaluate(() => window.teeter.camera);
+  await send('touchStart', [{ x: top.x, y: top.y, id: 0 }]);
+  for (let k = 1; k <= 10; k++) await send('touchMove', [{ x: top.x, y: top.y - 5 * k, id: 0 }]);
+  await session.simulate(0.6);
+  const raised = (await session.poses()).slice(7 * top.body, 7 * top.body + 3);
+  expect(raised[2] - before.poses[7 * top.body + 2], 'rise of the block under the finger, m').toBeGreaterThan(0.01);
+  const first = { x: top.x, y: top.y - 50, id: 0 };
+  await send('touchStart', [first, { x: 60, y: 600, id: 1 }]);
+  for (let k = 1; k <= 10; k++) await send('touchMove', [first, { x: 60, y: 600 - 8 * k, id: 1 }]);
+  await session.simulate(0.6);
+  const away = (await session.poses()).slice(7 * top.body, 7 * top.body + 3);
+  const sight = [away[0] - raised[0], away[1] - raised[1]];
+  expect(
+    -(sight[0] * camera.position[0] + sight[1] * camera.position[1]) / Math.hypot(camera.position[0], camera.position[1]),
+    'way from the viewer, m',
+  ).toBeGreaterThan(0.02);
+  expect(await page.evaluate(() => window.teeter.camera)).toEqual(camera);
+  await send('touchEnd', []);
+  expect(await page.evaluate(() => window.teeter.hand)).toBeNull();
+  expect(session.complaints).toEqual([]);
+});
+
+test.each([
+  [390, 844],
+  [360, 640],
+  [844, 390],
+  [1280, 800],
+])('at %i x %i nothing overlaps or leaves the screen, and targets are large enough', async (width, height) => {
+  const phone = width < 1000;
+  await using session = await Session.open(chrome, SMALL, { viewport: { width, height }, hasTouch: phone, isMobile: phone });
+  const { page } = session;
+  const faults = () =>
+    page.evaluate(() => {
+      const found: string[] = [];
+      const shown = [...document.querySelectorAll<HTMLElement>('#title, #readouts, #tools, #panel, #carrying')].filter(
+        e => e.offsetParent !== null || getComputedStyle(e).position === 'fixed',
+      );
+      const boxes = shown.filter(e => !e.hidden).map(e => ({ name: e.id, box: e.getBoundingClientRect() }));
+      for (const { name, box } of boxes)
+        if (box.left < 0 || box.top < 0 || box.right > innerWidth + 0.5 || box.bottom > innerHeight + 0.5)
+          found.push(`${name} leaves the screen`);
+      for (const [i, a] of boxes.entries()) {
+        for (const b of boxes.slice(i + 1)) {
+          // On a phone on its side the panel may lie over the title: it is closed again with one tap.
+          if (innerHeight < 500 && (a.name === 'panel' || b.name === 'panel')) continue;
+          if (a.box.left < b.box.right && b.box.left < a.box.right && a.box.top < b.box.bottom && b.box.top < a.box.bottom)
+            found.push(`${a.name} over ${b.name}`);
+        }
+      }
+      for (const button of document.querySelectorAll<HTMLElement>('button')) {
+        const box = button.getBoundingClientRect();
+        if (box.width > 0 && (box.width < 43.5 || box.height < 43.5))
+          found.push(`${button.id || button.textContent} is ${box.width.toFixed(0)} x ${box.height.toFixed(0)}`);
+        if (button.scrollWidth > button.clientWidth + 1) found.push(`${button.id} is too narrow for its text`);
+      }
+      if (document.documentElement.scrollWidth > innerWidth || document.documentElement.scrollHeight > innerHeight)
+        found.push('the page scrolls');
+      return found;
+    });
+  expect(await faults()).toEqual([]);
+  await page.click('#settings');
+  expect(await faults()).toEqual([]);
+});
+
+test('controls: a new seed, fewer rows, another scene, reset', async () => {
+  await using session = await Session.open(chrome, `${SMALL}&render=once`);
+  const { page } = session;
+  await page.click('#settings');
+  await page.locator('#rows').fill('4');
+  await page.locator('#rows').dispatchEvent('change');
+  await page.waitForFunction(() => window.teeter.count === 12);
+  const heights = () => page.evaluate(() => window.teeter.sizes.filter((_, i) => i % 3 === 2));
+  const first = await heights();
+  await page.click('#new-seed');
+  const seed = await page.inputValue('#seed');
+  expect(seed).not.toBe('1');
+  await expect.poll(heights).not.toEqual(first);
+  await page.selectOption('#scene', 'column');
+  await page.waitForFunction(() => window.teeter.count === 10);
+  await session.simulate(0.5);
+  await page.click('#reset');
+  await page.waitForFunction(() => window.teeter.time < 0.4);
+  expect(await page.evaluate(() => window.teeter.count)).toBe(10);
+  expect(session.complaints).toEqual([]);
+});
+
+test('a page without WebGL or without the engine says so in words', async () => {
+  const told = async (before: (page: Page) => Promise<unknown> | void) => {
+    await using session = await Session.open(chrome, SMALL, { before, ready: false });
+    await session.page.waitForSelector('#trouble:not([hidden])');
+    return await session.page.textContent('#trouble-text');
+  };
+  const noDrawing = (page: Page) =>
+    page.addInitScript(() => {
+      HTMLCanvasElement.prototype.getContext = () => null;
+    });
+  expect(await told(noDrawing)).toContain('WebGL');
+  expect(await told(page => page.route('**/*.wasm', route => route.abort()))).toContain('engine');
+  expect(await told(page => page.addInitScript(() => Object.assign(window, { Worker: undefined })))).toContain('workers');
+});

@@ -1,0 +1,35 @@
+// The address of the page: what makes no sense is taken as absent, and nothing leaves its range.
+
+import { expect, test } from 'vitest';
+import { readOptions } from '../../src/query';
+
+test('an empty address gives the full tower', () => {
+  expect(readOptions('')).toMatchObject({
+    rows: 18,
+    seed: 1,
+    block: 'dissertation',
+    scene: null,
+    sleep: true,
+    cap: 4,
+    render: 'always',
+    scale: 1,
+    tier: null,
+    help: true,
+  });
+});
+
+test('options are read and kept in range', () => {
+  expect(readOptions('?rows=7&seed=42&block=official&sleep=0&render=once&scale=0.3&quality=low&help=0&scene=column')).toMatchObject({
+    rows: 7,
+    seed: 42,
+    block: 'official',
+    scene: 'column',
+    sleep: false,
+    render: 'once',
+    scale: 0.3,
+    tier: 0,
+    help: false,
+  });
+  expect(readOptions('?rows=1000&seed=-4&scale=99&cap=100')).toMatchObject({ rows: 40, seed: 0, scale: 1, cap: 8 });
+  expect(readOptions('?rows=many&seed=&block=brick&quality=best')).toMatchObject({ rows: 18, seed: 1, block: 'dissertation', tier: null });
+});
