@@ -1,0 +1,174 @@
+//! The measurements: rest and cost of the tower, the column, and the force that starts a block sliding.
+
+use glam::{DMat3, DQuat, DVec3};
+use teeter_scene::Scene;
+
+use crate::clock::thread_seconds;
+use crate::engine::{Engine, Entry, FRAME, Pull};
+use crate::exact::{Rigid, long_axis};
+use crate::report::{Result, Slid};
+
+/// Time to settle before anything is measured, s.
+pub const SETTLE: f64 = 2.0;
+/// A block that has moved by this has started to slide, m.
+pub const SLID: f64 = 0.5e-3;
+/// How fast the force on a block grows, N/s. Slow: while the block covers the first 0.5 mm the force grows by about 0.015 N.
+pub const RAMP: f64 = 0.25;
+/// The force at which a pull gives up, N.
+pub const STRONGEST: f64 = 12.0;
+/// A tower whose blocks have moved no further than this stands, m.
+const STANDS: f64 = 5e-3;
+
+/// A block to pull, and what is known of it.
+pub struct Sought {
+    block: usize,
+    turning: f64,
+    straight: f64,
+}
+
+impl Sought {
+    /// Solves for a block.
+    pub fn new(block: usize, rigid: &Rigid) -> Self {
+        Self { block, turning: rigid.pull(block), straight: rigid.straight_pull(block) }
+    }
+}
+
+/// An engine under way, and what has been measured of it.
+struct Running<'a> {
+    entry: &'a Entry,
+    engine: Box<dyn Engine>,
+    settled: Vec<DVec3>,
+    creep: f64,
+    costs: Vec<f64>,
+}
+
+/// Lets all engines run the tower for `seconds`, in turn and a second at a time, so that what else the machine does hits all alike.
+/// The top is compared with `rigid_top`, m.
+pub fn rest_and_cost(entries: &[Entry], scene: &Scene, seconds: usize, rigid_top: f64) -> Vec<Result> {
+    let mut all: Vec<Running> = entries
+        .iter()
+        .map(|entry| {
+            let mut engine = entry.start(scene);
+            run(engine.as_mut(), SETTLE);
+            let settled = centers(engine.as_ref(), scene);
+            Running { entry, engine, settled, creep: 0.0, costs: Vec::new() }
+        })
+        .collect();
+    let (rounds, engines) = (seconds - SETTLE as usize, all.len());
+    for round in 0..rounds {
+        for turn in 0..engines {
+            let it = &mut all[(round + turn) % engines];
+            let start = thread_seconds();
+            run(it.engine.as_mut(), 1.0);
+            it.costs.push(1e3 * (thread_seconds() - start));
+            let moved = centers(it.engine.as_ref(), scene).into_iter().zip(&it.settled).map(|(now, then)| now.distance(*then));
+            it.creep = moved.fold(it.creep, f64::max);
+        }
+        eprintln!("second {} of {rounds} timed", round + 1);
+    }
+    all.into_iter()
+        .map(|it| {
+            let sideways = scene.blocks.iter().enumerate().map(|(i, block)| {
+                let moved = it.engine.pose(i).0 - DVec3::from(block.pos);
+                moved.truncate().length()
+            });
+            Result {
+                engine: it.entry.engine.into(),
+                setting: it.entry.setting.into(),
+                details: it.entry.details.clone(),
+                stands: it.creep < STANDS && sideways.fold(0.0, f64::max) < STANDS,
+                creep_mm: 1e3 * it.creep,
+                sink_mm: 1e3 * (rigid_top - top(it.engine.as_ref(), scene)),
+                cpu_ms_per_s: median(&it.costs),
+                cpu_ms_stretches: it.costs,
+                push_over_coulomb: 0.0,
+                reproducible: true,
+                pulls: Vec::new(),
+            }
+        })
+        .collect()
+}
+
+/// The force, over Coulomb's, at which the fourth of a column of ten slips with the six above it: bisected, each time from a new column, with the
+/// force grown over 2 s and held for 1 s.
+pub fn column_push(entry: &Entry, column: &Scene) -> f64 {
+    let limit = 7.0 * column.friction * column.blocks[0].mass * column.gravity;
+    let slips = |share: f64| {
+        let mut engine = entry.start(column);
+        run(engine.as_mut(), 1.0);
+        let start = engine.pose(3).0;
+        (1..=180).any(|i| {
+            let force = |i: i32| DVec3::X * (share * limit * f64::from(i.min(120)) / 120.0);
+            engine.frame(Some(Pull { body: 3, from: force(i - 1), to: force(i) }));
+            (engine.pose(3).0 - start).x > SLID
+        })
+    };
+    let (mut holds, mut moves) = (0.0, 1.28);
+    if !slips(moves) {
+        return f64::NAN;
+    }
+    while moves - holds > 0.003 {
+        let share = 0.5 * (holds + moves);
+        if slips(share) { moves = share } else { holds = share }
+    }
+    0.5 * (holds + moves)
+}
+
+/// Pulls one block after the other along its long axis, each out of the same settled tower, with a force that grows slowly; and whether the tower
+/// was the same to the bit each time.
+pub fn pulls(entry: &Entry, scene: &Scene, blocks: &[Sought]) -> (Vec<Slid>, bool) {
+    let mut first: Option<Vec<DVec3>> = None;
+    let mut same = true;
+    let slid = blocks.iter().map(|sought| {
+        let body = sought.block;
+        let mut engine = entry.start(scene);
+        run(engine.as_mut(), SETTLE);
+        let settled = centers(engine.as_ref(), scene);
+        same &= first.get_or_insert_with(|| settled.clone()) == &settled;
+        let force_n = pull(engine.as_mut(), body, long_axis(&scene.blocks[body]));
+        Slid { block: body, turning_n: sought.turning, straight_n: sought.straight, force_n }
+    });
+    (slid.collect(), same)
+}
+
+/// The force at which a block has moved by [`SLID`], N.
+fn pull(engine: &mut dyn Engine, body: usize, axis: DVec3) -> f64 {
+    let start = engine.pose(body).0;
+    let (mut force, mut moved) = (0.0, 0.0);
+    while force < STRONGEST {
+        let next = force + RAMP * FRAME;
+        engine.frame(Some(Pull { body, from: axis * force, to: axis * next }));
+        let now = (engine.pose(body).0 - start).dot(axis);
+        if now >= SLID {
+            return force + (next - force) * (SLID - moved) / (now - moved);
+        }
+        (force, moved) = (next, now);
+    }
+    STRONGEST
+}
+
+fn run(engine: &mut dyn Engine, seconds: f64) {
+    (0..(seconds / FRAME).round() as usize).for_each(|_| engine.frame(None));
+}
+
+fn centers(engine: &dyn Engine, scene: &Scene) -> Vec<DVec3> {
+    (0..scene.blocks.len()).map(|i| engine.pose(i).0).collect()
+}
+
+/// Height of the highest corner, m.
+fn top(engine: &dyn Engine, scene: &Scene) -> f64 {
+    let corner = |(i, block): (usize, &teeter_scene::Block)| {
+        let (center, turn): (DVec3, DQuat) = engine.pose(i);
+        let up = DMat3::from_quat(turn).row(2).abs();
+        center.z + 0.5 * up.dot(DVec3::from(block.size))
+    };
+    scene.blocks.iter().enumerate().map(corner).fold(0.0, f64::max)
+}
+
+/// The middle of some numbers.
+pub fn median(values: &[f64]) -> f64 {
+    let mut sorted = values.to_vec();
+    sorted.sort_by(f64::total_cmp);
+    let n = sorted.len();
+    if n % 2 == 1 { sorted[n / 2] } else { 0.5 * (sorted[n / 2 - 1] + sorted[n / 2]) }
+}

@@ -1,0 +1,62 @@
+//! Teeter.
+
+use glam::{DQuat, DVec3};
+use teeter_physics::{AppliedForce, Input, Params, Precision, World};
+use teeter_scene::Scene;
+
+use crate::engine::{Engine, FRAME, Pull};
+
+/// Contact stiffness and number format; all else as it comes, but for sleep.
+#[derive(Debug, Clone, Copy)]
+pub struct Setting {
+    /// Name in the table.
+    pub name: &'static str,
+    /// N/m.
+    pub stiffness: f64,
+    /// Of the inner loop.
+    pub precision: Precision,
+}
+
+/// What is measured.
+pub const SETTINGS: [Setting; 4] = [
+    Setting { name: "k = 3e5", stiffness: 3e5, precision: Precision::Single },
+    Setting { name: "k = 1e6", stiffness: 1e6, precision: Precision::Single },
+    Setting { name: "k = 3e6", stiffness: 3e6, precision: Precision::Single },
+    Setting { name: "k = 1e6, f64", stiffness: 1e6, precision: Precision::Double },
+];
+
+impl Setting {
+    fn params(&self) -> Params {
+        Params { stiffness: self.stiffness, precision: self.precision, sleep: false, frame: FRAME, ..Params::default() }
+    }
+
+    /// The setting in words.
+    pub fn details(&self) -> String {
+        let format = if self.precision == Precision::Single { "f32" } else { "f64" };
+        format!("SI units, stiffness {:e} N/m, inner loop in {format}, frame 1/60 s", self.stiffness)
+    }
+}
+
+/// A world of Teeter.
+pub struct Teeter(World);
+
+impl Teeter {
+    /// A world with `scene` in it.
+    pub fn new(scene: &Scene, setting: Setting) -> Self {
+        Self(World::new(scene, setting.params()).expect("the scenes and settings of the bench are valid"))
+    }
+}
+
+impl Engine for Teeter {
+    fn frame(&mut self, pull: Option<Pull>) {
+        // the world itself lets a force grow evenly from that of the last step
+        let forces = pull.iter().map(|p| AppliedForce { body: p.body as u32, point: DVec3::ZERO, force: p.to });
+        let report = self.0.step(&Input { forces: forces.collect(), ..Input::default() });
+        assert!(report.quarantined.is_empty(), "Teeter froze blocks {:?}", report.quarantined);
+    }
+
+    fn pose(&self, body: usize) -> (DVec3, DQuat) {
+        let p = &self.0.poses()[7 * body..];
+        (DVec3::from_slice(p), DQuat::from_slice(&p[3..]))
+    }
+}
