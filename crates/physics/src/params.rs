@@ -28,6 +28,22 @@ pub enum Width {
     Sse2,
     /// 256 bits.
     Avx2,
+    /// 512 bits in single precision.
+    Avx512,
+}
+
+impl Width {
+    /// Whether this processor has it; where it has not, another is used in its place.
+    pub fn available(self) -> bool {
+        #[cfg(target_arch = "x86_64")]
+        return match self {
+            Width::Auto | Width::Portable | Width::Sse2 => true,
+            Width::Avx2 => std::is_x86_feature_detected!("avx2"),
+            Width::Avx512 => crate::lanes::avx512::available(),
+        };
+        #[cfg(not(target_arch = "x86_64"))]
+        return matches!(self, Width::Auto | Width::Portable);
+    }
 }
 
 /// Constants of a run: with the state and the inputs they determine all of the future.
