@@ -39,7 +39,7 @@ pub struct Batch {
     pub mu: (f64, f64),
     /// Damping ratio.
     pub zeta: f64,
-    /// Stiffness of the run, N/m.
+    /// Stiffness of the scene, N/m.
     pub stiffness: f64,
     /// How far a point of each body may get before the next sync, m.
     pub travel: Vec<f64>,

@@ -46,12 +46,10 @@ impl Width {
     }
 }
 
-/// Constants of a run: with the state and the inputs they determine all of the future.
+/// Constants of a run: with the scene, the state and the inputs they determine all of the future.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 #[serde(default, deny_unknown_fields)]
 pub struct Params {
-    /// Normal stiffness of a contact of [`REFERENCE_AREA`], N/m. From 1e4 to 1e8.
-    pub stiffness: f64,
     /// Number format of the inner loop.
     pub precision: Precision,
     /// Registers of the inner loop; never changes the result.
@@ -66,6 +64,6 @@ pub struct Params {
 
 impl Default for Params {
     fn default() -> Self {
-        Self { stiffness: 1e6, precision: Precision::Single, width: Width::Auto, sleep: true, ramp: 0.3, frame: 1.0 / 60.0 }
+        Self { precision: Precision::Single, width: Width::Auto, sleep: true, ramp: 0.3, frame: 1.0 / 60.0 }
     }
 }
