@@ -4,7 +4,7 @@ use std::path::PathBuf;
 
 use clap::{Args, Parser, Subcommand, ValueEnum};
 use teeter_physics::{Params, Precision};
-use teeter_scene::{BlockPreset, MAX_ROWS, STIFFNESS, Scene};
+use teeter_scene::{BlockPreset, MAX_ROWS, STIFFNESS, Scene, WOOD_RESTITUTION};
 
 /// A real-time simulator of the tower game Jenga, where contact and friction are springs.
 #[derive(Debug, Parser)]
@@ -124,6 +124,9 @@ pub struct Common {
     /// Coefficient of kinetic friction [default: that of static friction].
     #[arg(long, value_parser = number(0.0, 2.0))]
     pub kinetic_friction: Option<f64>,
+    /// Coefficient of restitution.
+    #[arg(long, default_value_t = WOOD_RESTITUTION, value_parser = number(0.0, 1.0))]
+    pub restitution: f64,
     #[command(flatten)]
     pub contact: Contact,
 }

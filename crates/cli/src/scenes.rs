@@ -39,6 +39,7 @@ fn options(common: &Common) -> TowerOptions {
         block: common.block,
         friction: common.friction,
         kinetic_friction: common.kinetic_friction,
+        restitution: common.restitution,
         ..TowerOptions::default()
     }
 }

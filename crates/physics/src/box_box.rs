@@ -43,12 +43,12 @@ pub fn separation(low: &Cuboid, high: &Cuboid, limit: f64, last: Option<Axis>) -
     let in_low = low.axes.transpose() * offset;
     let in_high = high.axes.transpose() * offset;
 
-    let mut best: Option<(f64, Separation)> = None;
-    let mut consider = |axis: Axis, normal: DVec3, along: f64, distance: f64, handicap: f64| {
+    // merit, axis, distance, and on which side of the first the second is
+    let mut best: Option<(f64, Axis, f64, f64)> = None;
+    let mut consider = |axis: Axis, along: f64, distance: f64, handicap: f64| {
         let merit = distance - handicap + if last == Some(axis) { AXIS_HYSTERESIS } else { 0.0 };
-        if best.is_none_or(|(m, _)| merit > m) {
-            let normal = if along < 0.0 { -normal } else { normal };
-            best = Some((merit, Separation { axis, normal, distance }));
+        if best.is_none_or(|(most, ..)| merit > most) {
+            best = Some((merit, axis, distance, along));
         }
     };
 
@@ -58,7 +58,7 @@ pub fn separation(low: &Cuboid, high: &Cuboid, limit: f64, last: Option<Axis>) -
         if distance > limit {
             return None;
         }
-        consider(Axis::FaceLow(i as u8), low.axes.col(i), in_low[i], distance, 0.0);
+        consider(Axis::FaceLow(i as u8), in_low[i], distance, 0.0);
     }
     let reach = high.half + abs.transpose() * low.half;
     for j in 0..3 {
@@ -66,26 +66,36 @@ pub fn separation(low: &Cuboid, high: &Cuboid, limit: f64, last: Option<Axis>) -
         if distance > limit {
             return None;
         }
-        consider(Axis::FaceHigh(j as u8), high.axes.col(j), in_high[j], distance, 0.0);
+        consider(Axis::FaceHigh(j as u8), in_high[j], distance, 0.0);
     }
     for i in 0..3 {
+        let (i1, i2) = ((i + 1) % 3, (i + 2) % 3);
         for j in 0..3 {
+            let (j1, j2) = ((j + 1) % 3, (j + 2) % 3);
             let cosine = m.col(j)[i];
             let square = 1.0 - cosine * cosine;
             if square < LEAST_EDGE_SINE * LEAST_EDGE_SINE {
                 continue;
             }
-            let normal = low.axes.col(i).cross(high.axes.col(j)) / square.sqrt();
-            let along = normal.dot(offset);
-            let reach = (low.axes.transpose() * normal).abs().dot(low.half) + (high.axes.transpose() * normal).abs().dot(high.half);
-            let distance = along.abs() - reach;
+            // all along a_i x b_j, whose length is the sine (Gottschalk, Lin and Manocha, OBBTree, 1996)
+            let along = in_low[i2] * m.col(j)[i1] - in_low[i1] * m.col(j)[i2];
+            let reach_low = low.half[i1] * abs.col(j)[i2] + low.half[i2] * abs.col(j)[i1];
+            let reach_high = high.half[j1] * abs.col(j2)[i] + high.half[j2] * abs.col(j1)[i];
+            let distance = (along.abs() - reach_low - reach_high) / square.sqrt();
             if distance > limit {
                 return None;
             }
-            consider(Axis::Edges((3 * i + j) as u8), normal, along, distance, EDGE_PREFERENCE);
+            consider(Axis::Edges((3 * i + j) as u8), along, distance, EDGE_PREFERENCE);
         }
     }
-    best.map(|(_, separation)| separation)
+    best.map(|(_, axis, distance, along)| {
+        let normal = match axis {
+            Axis::FaceLow(i) => low.axes.col(i as usize),
+            Axis::FaceHigh(j) => high.axes.col(j as usize),
+            Axis::Edges(pair) => low.axes.col(pair as usize / 3).cross(high.axes.col(pair as usize % 3)).normalize(),
+        };
+        Separation { axis, normal: if along < 0.0 { -normal } else { normal }, distance }
+    })
 }
 
 /// How two boxes are to each other.

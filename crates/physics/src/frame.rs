@@ -59,9 +59,9 @@ pub struct Outcome {
 
 impl Cluster {
     /// Makes room for the frame.
-    pub fn begin(&mut self) {
+    pub fn begin(&mut self, frame: &Frame) {
         self.packing.begin(&self.bodies);
-        with_kernel!(self.kernel, |kernel| make_room(kernel, self.bodies.len()));
+        with_kernel!(self.kernel, |kernel| make_room(kernel, self.bodies.len(), frame.setup.h));
     }
 
     /// How many substeps to run next; grants each body that has moved how far it may get in them, and wakes what may be touched.

@@ -2,11 +2,15 @@
 //!
 //! A lane holds a contact (or a body) of its own, never a part of a sum, and forces are added to the bodies in the order of the
 //! groups: how wide the machine's registers are changes nothing in the result. No position is held here, only the small
-//! displacements since the last sync; a gap formed from f32 positions would be wrong by 30 nm.
+//! displacements since the last sync; a gap formed from f32 positions would be wrong by 30 nm. Velocities are ways in a substep, which
+//! saves the multiplications by its length.
+//!
+//! Arrays are written out here and not mapped: a closure given to `map` is not always put in its place, which costs ten times the
+//! time where wider registers are used than the program was built for.
 
 use glam::DVec3;
 
-use crate::constants::{GUARD_SUBSTEPS, STRIBECK_SPEED, TANGENTIAL_DAMPING, TANGENTIAL_STIFFNESS};
+use crate::constants::{GUARD_SUBSTEPS, TANGENTIAL_DAMPING, TANGENTIAL_STIFFNESS};
 use crate::drive::Servo;
 use crate::hand::Pull;
 #[cfg(target_arch = "x86_64")]
@@ -16,9 +20,6 @@ use crate::params::Width;
 
 /// Points of an entry; a manifold with more has several entries.
 pub const SLOTS: usize = 4;
-
-/// Lanes whose counts of points are kept together: as many as the narrowest vector has.
-pub const QUARTER: usize = 4;
 
 /// One number a lane.
 #[derive(Debug, Clone, Copy, Default)]
@@ -47,8 +48,8 @@ pub struct PointLanes<R> {
 /// A contact a lane.
 #[derive(Debug, Clone, Copy)]
 pub struct Group<R> {
-    /// Points of the fullest contact of each [`QUARTER`] lanes.
-    pub counts: [u32; LANES / QUARTER],
+    /// Points of each contact.
+    pub counts: [u8; LANES],
     /// Where the rows of the bodies begin: [`ROW`] times the number of the row.
     pub a: [u32; LANES],
     pub b: [u32; LANES],
@@ -56,7 +57,7 @@ pub struct Group<R> {
     pub frame: [[Lane<R>; 3]; 3],
     /// Centroid from the island's reference point, m.
     pub arm: [Lane<R>; 3],
-    /// Damping over stiffness, s.
+    /// Damping over stiffness, substeps.
     pub relaxation: Lane<R>,
     /// The points.
     pub points: [PointLanes<R>; SLOTS],
@@ -67,7 +68,7 @@ impl<R: Real> Group<R> {
     pub fn new(floor: u32) -> Self {
         let open = PointLanes { gap: Lane([R::from_f64(1.0); LANES]), ..PointLanes::default() };
         Self {
-            counts: [0; LANES / QUARTER],
+            counts: [0; LANES],
             a: [floor; LANES],
             b: [floor; LANES],
             frame: Default::default(),
@@ -79,7 +80,7 @@ impl<R: Real> Group<R> {
 
     /// Makes lane `l` an open contact of the floor with itself.
     pub fn open(&mut self, l: usize, floor: u32) {
-        (self.a[l], self.b[l]) = (floor, floor);
+        (self.a[l], self.b[l], self.counts[l]) = (floor, floor, 0);
         for axis in self.frame.iter_mut().flatten().chain(&mut self.arm).chain([&mut self.relaxation]) {
             axis.0[l] = R::default();
         }
@@ -93,7 +94,7 @@ impl<R: Real> Group<R> {
     }
 }
 
-/// A body's velocity and spin, or force and torque: x, y, z, 0, x, y, z, 0.
+/// A body's velocity and spin (m and rad per substep), or force and torque (N and N m): x, y, z, 0, x, y, z, 0.
 #[derive(Debug, Clone, Copy, Default)]
 #[repr(align(32))]
 pub struct Row<R>(pub [R; ROW]);
@@ -120,15 +121,15 @@ pub struct Actors {
 /// A body a lane.
 #[derive(Debug, Clone, Copy, Default)]
 pub struct BodyLanes<R> {
-    /// Velocity of the centre and spin, m/s and rad/s.
+    /// Velocity of the centre and spin, m and rad per substep.
     pub velocity: [Lane<R>; 3],
     pub spin: [Lane<R>; 3],
     /// Centre from the island's reference point, m.
     pub offset: [Lane<R>; 3],
-    /// 1 / kg.
-    pub inv_mass: Lane<R>,
-    /// Inverse inertia in the world: xx, yy, zz, xy, xz, yz, 1 / (kg m²).
-    pub inv_inertia: [Lane<R>; 6],
+    /// h² / m: what a force of 1 N adds to the velocity in a substep.
+    pub ease: Lane<R>,
+    /// h² times the inverse inertia in the world: xx, yy, zz; xy, xz, yz.
+    pub turning_ease: [[Lane<R>; 3]; 2],
     /// Displacement and turn since the last sync, m and rad.
     pub shift: [Lane<R>; 3],
     pub turn: [Lane<R>; 3],
@@ -142,13 +143,13 @@ pub struct BodyLanes<R> {
 /// Constants of a batch.
 #[derive(Debug, Clone, Copy)]
 pub struct Law<R> {
-    /// Substep, s.
-    pub h: R,
     /// What is left of the Maxwell element after a substep.
     pub keep: R,
     /// Kinetic friction, and by how much static friction is above it.
     pub mu_kinetic: R,
     pub mu_excess: R,
+    /// Square of a substep over the way that [`crate::constants::STRIBECK_SPEED`] makes in it, 1/m².
+    pub stribeck: R,
 }
 
 /// The packed world between two syncs.
@@ -170,6 +171,8 @@ pub struct Kernel<R> {
     pub bodies: Vec<BodyLanes<R>>,
     /// How many bodies there are.
     pub len: usize,
+    /// Substep, s.
+    pub h: f64,
 }
 
 impl<R: Real> Kernel<R> {
@@ -220,13 +223,13 @@ impl<R: Real> Kernel<R> {
                     contact::<L>(group, part, keep, law, &self.velocity, &mut self.force);
                 }
             }
-            self.act(law.h, actors);
+            self.act(actors);
             for (i, bodies) in self.bodies.iter_mut().enumerate() {
                 let filled = (self.len - LANES * i).min(LANES).div_ceil(L::WIDTH);
                 for part in 0..filled {
                     let first = LANES * i + L::WIDTH * part;
                     let rows = first..first + L::WIDTH;
-                    integrate::<L>(bodies, part, law.h, &mut self.velocity[rows.clone()], &self.force[rows]);
+                    integrate::<L>(bodies, part, &mut self.velocity[rows.clone()], &self.force[rows]);
                 }
             }
             if look && self.bodies.iter().any(beyond::<L>) {
@@ -237,15 +240,15 @@ impl<R: Real> Kernel<R> {
     }
 
     /// Adds the forces of hand and drives.
-    fn act(&mut self, h: R, actors: &mut Actors) {
+    fn act(&mut self, actors: &mut Actors) {
         if let Some(hand) = &mut actors.hand {
             let i = hand.body();
-            let (force, torque) = hand.force(h.to_f64(), self.motion(i));
+            let (force, torque) = hand.force(self.h, self.motion(i));
             self.push(i, force, torque);
         }
         for drive in &actors.drives {
             let i = drive.body();
-            let (force, torque) = drive.force(h.to_f64(), self.motion(i));
+            let (force, torque) = drive.force(self.h, self.motion(i));
             self.push(i, force, torque);
         }
     }
@@ -264,7 +267,7 @@ impl<R: Real> Kernel<R> {
     /// Velocity of the centre and spin of a body, m/s and rad/s.
     pub fn motion(&self, i: usize) -> (DVec3, DVec3) {
         let (bodies, l) = (&self.bodies[i / LANES], i % LANES);
-        (vector(&bodies.velocity, l), vector(&bodies.spin, l))
+        (vector(&bodies.velocity, l) / self.h, vector(&bodies.spin, l) / self.h)
     }
 
     /// Adds a force at the centre of a body and a torque about it.
@@ -307,6 +310,19 @@ fn load3<L: Lanes>(from: &[Lane<L::Number>; 3], part: usize) -> [L; 3] {
 }
 
 #[inline(always)]
+fn store3<L: Lanes>(to: &mut [Lane<L::Number>; 3], part: usize, x: &[L; 3]) {
+    x[0].store(&mut to[0].0, part);
+    x[1].store(&mut to[1].0, part);
+    x[2].store(&mut to[2].0, part);
+}
+
+#[inline(always)]
+fn add<L: Lanes>(to: &mut [Lane<L::Number>; 3], part: usize, x: &[L; 3]) {
+    let at = load3::<L>(to, part);
+    store3(to, part, &[at[0] + x[0], at[1] + x[1], at[2] + x[2]]);
+}
+
+#[inline(always)]
 fn cross<L: Lanes>(a: &[L; 3], b: &[L; 3]) -> [L; 3] {
     [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]]
 }
@@ -335,18 +351,17 @@ fn contact<L: Lanes>(
     force: &mut [Row<L::Number>],
 ) {
     let first = L::WIDTH * part;
-    let quarters = first / QUARTER..(first + L::WIDTH).div_ceil(QUARTER);
-    let count = group.counts[quarters].iter().fold(0, |most, &count| most.max(count));
+    let count = group.counts[first..first + L::WIDTH].iter().fold(0, |most, &count| most.max(count));
     if count == 0 {
         return;
     }
     // relative velocity at the reference point and relative spin, B over A; then at the centroid, along the frame
     let d = L::columns(|l| L::Row::read(row(velocity, group.b[first + l])) - L::Row::read(row(velocity, group.a[first + l])));
-    let (dv, dw): ([L; 3], [L; 3]) = ([d[0], d[1], d[2]], [d[4], d[5], d[6]]);
+    let dw = [d[4], d[5], d[6]];
     let arm = load3::<L>(&group.arm, part);
     let frame = [load3(&group.frame[0], part), load3(&group.frame[1], part), load3(&group.frame[2], part)];
     let turning = cross(&dw, &arm);
-    let v = into_frame(&frame, &[0, 1, 2].map(|k| dv[k] + turning[k]));
+    let v = into_frame(&frame, &[d[0] + turning[0], d[1] + turning[1], d[2] + turning[2]]);
     let w = into_frame(&frame, &dw);
 
     let mut sum = Wrench { f: [L::zero(); 3], m: [L::zero(); 3] };
@@ -360,12 +375,13 @@ fn contact<L: Lanes>(
     let m = out_of_frame(&frame, &sum.m);
     let t = cross(&arm, &f);
     let zero = L::zero();
-    L::rows([f[0], f[1], f[2], zero, t[0] + m[0], t[1] + m[1], t[2] + m[2], zero], |l, on_b| {
+    let rows = L::rows([f[0], f[1], f[2], zero, t[0] + m[0], t[1] + m[1], t[2] + m[2], zero]);
+    for (l, on_b) in rows.into_iter().enumerate() {
         let a = row_mut(force, group.a[first + l]);
         (L::Row::read(a) - on_b).write(a);
         let b = row_mut(force, group.b[first + l]);
         (L::Row::read(b) + on_b).write(b);
-    });
+    }
 }
 
 /// Force and moment about the centroid along normal, tangent, tangent.
@@ -388,25 +404,22 @@ fn spring<L: Lanes>(
     sum: &mut Wrench<L>,
 ) {
     let zero = L::zero();
-    let h = L::splat(law.h);
-    let load = |from: &Lane<L::Number>| load::<L>(from, part);
-    let (r1, r2) = (load(&p.arm[0]), load(&p.arm[1]));
-    let (q1, q2) = (load(&p.lever[0]), load(&p.lever[1]));
-    let k = load(&p.stiffness);
+    let (r1, r2) = (load::<L>(&p.arm[0], part), load::<L>(&p.arm[1], part));
+    let (q1, q2) = (load::<L>(&p.lever[0], part), load::<L>(&p.lever[1], part));
 
-    // velocity of the point, its torsional part on the shorter lever
+    // velocity of the point, its torsional part on the shorter lever; in a substep it is a way
     let vn = v[0] + (w[1] * r2 - w[2] * r1);
-    let u = [v[1] - w[0] * q2, v[2] + w[0] * q1];
+    let (u1, u2) = (v[1] - w[0] * q2, v[2] + w[0] * q1);
 
-    // normal: a spring, a damper and a Maxwell element, that do not pull
-    let step = vn * h;
-    let gap = load(&p.gap) + step;
-    let creep = load(&p.creep) * L::splat(law.keep) + step;
+    // normal: a spring, a damper and a Maxwell element, that do not pull; an open point has no stiffness
+    let gap = load::<L>(&p.gap, part) + vn;
     let closed = gap.less(zero);
+    let creep = L::only(closed, load::<L>(&p.creep, part) * L::splat(law.keep) + vn);
+    let k = L::only(closed, load::<L>(&p.stiffness, part));
     let n = -(k * ((gap + creep) + relaxation * vn));
-    let n = L::select(L::both(closed, zero.less(n)), n, zero);
+    let n = L::only(zero.less(n), n);
     gap.store(&mut p.gap.0, part);
-    L::select(closed, creep, zero).store(&mut p.creep.0, part);
+    creep.store(&mut p.creep.0, part);
     if keep {
         n.store(&mut p.normal.0, part);
     }
@@ -414,73 +427,66 @@ fn spring<L: Lanes>(
     // tangential: a spring and a damper within Coulomb's cone
     let kt = L::number(TANGENTIAL_STIFFNESS);
     let ct = L::number(TANGENTIAL_DAMPING) * relaxation;
-    let mut s = [0, 1].map(|i| L::select(closed, load(&p.stretch[i]) + u[i] * h, zero));
-    let mut g = [0, 1].map(|i| L::select(closed, k * (kt * s[i] + ct * u[i]), zero));
+    let mut s1 = L::only(closed, load::<L>(&p.stretch[0], part) + u1);
+    let mut s2 = L::only(closed, load::<L>(&p.stretch[1], part) + u2);
+    let (mut g1, mut g2) = (k * (kt * s1 + ct * u1), k * (kt * s2 + ct * u2));
     let limit = L::splat(law.mu_kinetic) * n;
-    if L::any((limit * limit).less(g[0] * g[0] + g[1] * g[1])) {
-        slide(law, n, &u, &mut s, &mut g);
+    let square = g1 * g1 + g2 * g2;
+    if L::any((limit * limit).less(square)) {
+        let q = slide(law, n, u1 * u1 + u2 * u2, square);
+        (s1, s2, g1, g2) = (s1 * q, s2 * q, g1 * q, g2 * q);
     }
-    s[0].store(&mut p.stretch[0].0, part);
-    s[1].store(&mut p.stretch[1].0, part);
+    s1.store(&mut p.stretch[0].0, part);
+    s2.store(&mut p.stretch[1].0, part);
 
     sum.f[0] += n;
-    sum.f[1] -= g[0];
-    sum.f[2] -= g[1];
-    sum.m[0] -= q1 * g[1] - q2 * g[0];
+    sum.f[1] -= g1;
+    sum.f[2] -= g2;
+    sum.m[0] -= q1 * g2 - q2 * g1;
     sum.m[1] += r2 * n;
     sum.m[2] -= r1 * n;
 }
 
-/// Brings friction `g` and its springs `s` back to Coulomb's cone. The cone narrows from static to kinetic with the speed of
-/// sliding, mu = mu_k + (mu_s - mu_k) / (1 + (u / u_s)²), so that a sliding contact does not stick again at each substep.
+/// What brings friction and its springs back to Coulomb's cone, from the squares of speed and friction. The cone narrows from static to
+/// kinetic with the speed of sliding, mu = mu_k + (mu_s - mu_k) / (1 + (u / u_s)²), so that a sliding contact does not stick again at
+/// each substep.
 #[inline(always)]
-fn slide<L: Lanes>(law: &Law<L::Number>, n: L, u: &[L; 2], s: &mut [L; 2], g: &mut [L; 2]) {
+fn slide<L: Lanes>(law: &Law<L::Number>, n: L, speed: L, friction: L) -> L {
     let one = L::number(1.0);
-    let speed = (u[0] * u[0] + u[1] * u[1]) * L::number(1.0 / (STRIBECK_SPEED * STRIBECK_SPEED));
-    let mu = L::splat(law.mu_kinetic) + L::splat(law.mu_excess) / (one + speed);
+    let mu = L::splat(law.mu_kinetic) + L::splat(law.mu_excess) / (one + speed * L::splat(law.stribeck));
     let limit = mu * n;
-    let size = (g[0] * g[0] + g[1] * g[1]).sqrt();
-    let q = L::select(limit.less(size), limit / size, one);
-    for i in 0..2 {
-        s[i] = s[i] * q;
-        g[i] = g[i] * q;
-    }
+    let size = friction.sqrt();
+    L::select(limit.less(size), limit / size, one)
 }
 
 /// Semi-implicit Euler: places with the velocity that the springs have just seen, then velocities with the forces.
 #[inline(always)]
-fn integrate<L: Lanes>(
-    bodies: &mut BodyLanes<L::Number>,
-    part: usize,
-    h: L::Number,
-    velocity: &mut [Row<L::Number>],
-    force: &[Row<L::Number>],
-) {
-    let h = L::splat(h);
+fn integrate<L: Lanes>(bodies: &mut BodyLanes<L::Number>, part: usize, velocity: &mut [Row<L::Number>], force: &[Row<L::Number>]) {
     let f = L::columns(|l| L::Row::read(&force[l].0));
-    let (mut v, mut w) = (load3::<L>(&bodies.velocity, part), load3::<L>(&bodies.spin, part));
+    let (v, w) = (load3::<L>(&bodies.velocity, part), load3::<L>(&bodies.spin, part));
+    add(&mut bodies.shift, part, &v);
+    add(&mut bodies.turn, part, &w);
     let offset = load3::<L>(&bodies.offset, part);
     // torque about the centre
     let lever = cross(&offset, &[f[0], f[1], f[2]]);
-    let t = [0, 1, 2].map(|k| f[k + 4] - lever[k]);
-    let ease = load::<L>(&bodies.inv_mass, part);
-    for k in 0..3 {
-        (load::<L>(&bodies.shift[k], part) + h * v[k]).store(&mut bodies.shift[k].0, part);
-        (load::<L>(&bodies.turn[k], part) + h * w[k]).store(&mut bodies.turn[k].0, part);
-        v[k] += h * (ease * f[k]);
-    }
-    let [xx, yy, zz, xy, xz, yz] = [0, 1, 2, 3, 4, 5].map(|k| load::<L>(&bodies.inv_inertia[k], part));
-    w[0] += h * (xx * t[0] + xy * t[1] + xz * t[2]);
-    w[1] += h * (xy * t[0] + yy * t[1] + yz * t[2]);
-    w[2] += h * (xz * t[0] + yz * t[1] + zz * t[2]);
-    for k in 0..3 {
-        v[k].store(&mut bodies.velocity[k].0, part);
-        w[k].store(&mut bodies.spin[k].0, part);
-    }
+    let t = [f[4] - lever[0], f[5] - lever[1], f[6] - lever[2]];
+    let ease = load::<L>(&bodies.ease, part);
+    let v = [v[0] + ease * f[0], v[1] + ease * f[1], v[2] + ease * f[2]];
+    let [xx, yy, zz] = load3::<L>(&bodies.turning_ease[0], part);
+    let [xy, xz, yz] = load3::<L>(&bodies.turning_ease[1], part);
+    let w = [
+        w[0] + (xx * t[0] + xy * t[1] + xz * t[2]),
+        w[1] + (xy * t[0] + yy * t[1] + yz * t[2]),
+        w[2] + (xz * t[0] + yz * t[1] + zz * t[2]),
+    ];
+    store3(&mut bodies.velocity, part, &v);
+    store3(&mut bodies.spin, part, &w);
     let turning = cross(&w, &offset);
     let zero = L::zero();
-    let at = [0, 1, 2].map(|k| v[k] - turning[k]);
-    L::rows([at[0], at[1], at[2], zero, w[0], w[1], w[2], zero], |l, row| row.write(&mut velocity[l].0));
+    let row = [v[0] - turning[0], v[1] - turning[1], v[2] - turning[2], zero, w[0], w[1], w[2], zero];
+    for (row, to) in L::rows(row).into_iter().zip(velocity) {
+        row.write(&mut to.0);
+    }
 }
 
 /// Whether a body has gone as far as it may between two syncs.

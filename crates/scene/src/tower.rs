@@ -40,11 +40,25 @@ pub struct TowerOptions {
     pub friction: f64,
     /// Coefficient of kinetic friction; the static one where absent.
     pub kinetic_friction: Option<f64>,
+    /// Coefficient of restitution, 0 to 1.
+    pub restitution: f64,
 }
+
+/// Restitution of wood on wood, as textbooks of mechanics have it; no measurement on blocks like these is known.
+pub const WOOD_RESTITUTION: f64 = 0.5;
 
 impl Default for TowerOptions {
     fn default() -> Self {
-        Self { rows: 18, seed: 1, block: BlockPreset::Dissertation, height_sd: 1e-4, mass_sd: None, friction: 0.4, kinetic_friction: None }
+        Self {
+            rows: 18,
+            seed: 1,
+            block: BlockPreset::Dissertation,
+            height_sd: 1e-4,
+            mass_sd: None,
+            friction: 0.4,
+            kinetic_friction: None,
+            restitution: WOOD_RESTITUTION,
+        }
     }
 }
 
@@ -149,7 +163,7 @@ pub(crate) fn build(name: &str, rows: &[[Cell; 3]], options: &TowerOptions) -> R
         gravity: standard_gravity(),
         friction: options.friction,
         kinetic_friction: options.kinetic_friction,
-        restitution: 0.0,
+        restitution: options.restitution,
         stiffness: usual_stiffness(),
         blocks,
         label: None,

@@ -11,19 +11,20 @@ register! {
     F32: 8 x f32 => __m256, mask __m256;
     _mm256_set1_ps; _mm256_loadu_ps; _mm256_storeu_ps; _mm256_sqrt_ps;
     _mm256_add_ps; _mm256_sub_ps; _mm256_mul_ps; _mm256_div_ps; |x| _mm256_xor_ps(x, _mm256_set1_ps(-0.0));
-    _mm256_cmp_ps::<_CMP_LT_OQ>; |m, yes, no| _mm256_blendv_ps(no, yes, m); |m| _mm256_movemask_ps(m) != 0; _mm256_and_ps
+    _mm256_cmp_ps::<_CMP_LT_OQ>; |m, yes, no| _mm256_blendv_ps(no, yes, m); _mm256_and_ps; |m| _mm256_movemask_ps(m) != 0
 }
 register! {
     /// Four f64.
     F64: 4 x f64 => __m256d, mask __m256d;
     _mm256_set1_pd; _mm256_loadu_pd; _mm256_storeu_pd; _mm256_sqrt_pd;
     _mm256_add_pd; _mm256_sub_pd; _mm256_mul_pd; _mm256_div_pd; |x| _mm256_xor_pd(x, _mm256_set1_pd(-0.0));
-    _mm256_cmp_pd::<_CMP_LT_OQ>; |m, yes, no| _mm256_blendv_pd(no, yes, m); |m| _mm256_movemask_pd(m) != 0; _mm256_and_pd
+    _mm256_cmp_pd::<_CMP_LT_OQ>; |m, yes, no| _mm256_blendv_pd(no, yes, m); _mm256_and_pd; |m| _mm256_movemask_pd(m) != 0
 }
 
 impl Turn for F32 {
     type Number = f32;
     type Row = Parts<Self, 1>;
+    type Rows = [Self::Row; 8];
     #[inline(always)]
     fn columns(row: impl FnMut(usize) -> Self::Row) -> [Self; 8] {
         let [a, b, c, d, e, f, g, h]: [Self::Row; 8] = collect(row);
@@ -31,13 +32,17 @@ impl Turn for F32 {
         [Self(a), Self(b), Self(c), Self(d), Self(e), Self(f), Self(g), Self(h)]
     }
     #[inline(always)]
-    fn rows([a, b, c, d, e, f, g, h]: [Self; 8], mut put: impl FnMut(usize, Self::Row)) {
-        for (l, row) in eight([a.0, b.0, c.0, d.0, e.0, f.0, g.0, h.0]).into_iter().enumerate() {
-            put(l, Parts([Self(row)]));
-        }
+    fn rows([a, b, c, d, e, f, g, h]: [Self; 8]) -> Self::Rows {
+        let [a, b, c, d, e, f, g, h] = eight([a.0, b.0, c.0, d.0, e.0, f.0, g.0, h.0]);
+        [row(a), row(b), row(c), row(d), row(e), row(f), row(g), row(h)]
     }
 }
 turn_fours!(F64, f64, four);
+
+#[inline(always)]
+pub fn row(x: __m256) -> Parts<F32, 1> {
+    Parts([F32(x)])
+}
 
 /// Transposes: pairs of rows, then fours, then the halves.
 #[inline(always)]

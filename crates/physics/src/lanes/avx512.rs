@@ -20,13 +20,14 @@ register! {
     F32: 16 x f32 => __m512, mask __mmask16;
     _mm512_set1_ps; _mm512_loadu_ps; _mm512_storeu_ps; _mm512_sqrt_ps;
     _mm512_add_ps; _mm512_sub_ps; _mm512_mul_ps; _mm512_div_ps; |x| _mm512_xor_ps(x, _mm512_set1_ps(-0.0));
-    _mm512_cmp_ps_mask::<_CMP_LT_OQ>; |m, yes, no| _mm512_mask_blend_ps(m, no, yes); |m| m != 0; |a, b| a & b
+    _mm512_cmp_ps_mask::<_CMP_LT_OQ>; |m, yes, no| _mm512_mask_blend_ps(m, no, yes); _mm512_maskz_mov_ps; |m| m != 0
 }
 
 // SAFETY, in all of it: see the head of this file.
 impl Turn for F32 {
     type Number = f32;
     type Row = Parts<avx2::F32, 1>;
+    type Rows = [Self::Row; 16];
     #[inline(always)]
     fn columns(row: impl FnMut(usize) -> Self::Row) -> [Self; 8] {
         let r: [Self::Row; 16] = collect(row);
@@ -47,13 +48,13 @@ impl Turn for F32 {
         }
     }
     #[inline(always)]
-    fn rows([a, b, c, d, e, f, g, h]: [Self; 8], mut put: impl FnMut(usize, Self::Row)) {
+    fn rows([a, b, c, d, e, f, g, h]: [Self; 8]) -> Self::Rows {
         unsafe {
             let first = _mm512_setr_epi32(0, 1, 2, 3, 16, 17, 18, 19, 4, 5, 6, 7, 20, 21, 22, 23);
             let second = _mm512_setr_epi32(8, 9, 10, 11, 24, 25, 26, 27, 12, 13, 14, 15, 28, 29, 30, 31);
             let [p, q, r, s] = fours([join(a, first, e), join(b, first, f), join(c, first, g), join(d, first, h)]);
             let [t, u, v, w] = fours([join(a, second, e), join(b, second, f), join(c, second, g), join(d, second, h)]);
-            let rows = [
+            [
                 low(p),
                 low(q),
                 low(r),
@@ -70,10 +71,7 @@ impl Turn for F32 {
                 high(u),
                 high(v),
                 high(w),
-            ];
-            for (l, row) in rows.into_iter().enumerate() {
-                put(l, Parts([avx2::F32(row)]));
-            }
+            ]
         }
     }
 }
@@ -89,13 +87,13 @@ fn join(a: F32, index: __m512i, b: F32) -> __m512 {
 }
 
 #[inline(always)]
-fn low(x: __m512) -> __m256 {
-    unsafe { _mm512_castps512_ps256(x) }
+fn low(x: __m512) -> Parts<avx2::F32, 1> {
+    avx2::row(unsafe { _mm512_castps512_ps256(x) })
 }
 
 #[inline(always)]
-fn high(x: __m512) -> __m256 {
-    unsafe { _mm512_extractf32x8_ps::<1>(x) }
+fn high(x: __m512) -> Parts<avx2::F32, 1> {
+    avx2::row(unsafe { _mm512_extractf32x8_ps::<1>(x) })
 }
 
 /// Transposes four registers within each quarter.

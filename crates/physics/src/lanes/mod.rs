@@ -113,10 +113,10 @@ pub trait Lanes:
     fn less(self, other: Self) -> Self::Mask;
     /// `yes` where the mask holds, `no` elsewhere.
     fn select(mask: Self::Mask, yes: Self, no: Self) -> Self;
+    /// `x` where the mask holds, zero elsewhere.
+    fn only(mask: Self::Mask, x: Self) -> Self;
     /// Whether the mask holds anywhere.
     fn any(mask: Self::Mask) -> bool;
-    /// Where both masks hold.
-    fn both(a: Self::Mask, b: Self::Mask) -> Self::Mask;
 
     /// The number in all lanes, from f64.
     #[inline(always)]
@@ -130,16 +130,18 @@ pub trait Lanes:
     }
 }
 
-/// Between rows, each with the [`ROW`] numbers of one thing, and columns, each with one number of as many things as there are lanes.
+/// Between rows, each with the [`ROW`] numbers of one thing, of which the fourth and the eighth are zero, and columns, each with one number of as many things as there are lanes.
 pub trait Turn: Sized {
     /// What a lane holds.
     type Number: Real;
     /// A row in registers.
     type Row: Row<Self::Number>;
+    /// As many as there are lanes.
+    type Rows: IntoIterator<Item = Self::Row>;
     /// Lane l of column i is number i of row l.
     fn columns(row: impl FnMut(usize) -> Self::Row) -> [Self; ROW];
-    /// The other way round; the rows are handed out in the order of the lanes.
-    fn rows(columns: [Self; ROW], put: impl FnMut(usize, Self::Row));
+    /// The other way round: the rows in the order of the lanes.
+    fn rows(columns: [Self; ROW]) -> Self::Rows;
 }
 
 /// A row as so many registers.
@@ -205,6 +207,7 @@ macro_rules! turn_fours {
         impl $crate::lanes::Turn for $t {
             type Number = $number;
             type Row = $crate::lanes::Parts<Self, 2>;
+            type Rows = [Self::Row; 4];
             #[inline(always)]
             fn columns(row: impl FnMut(usize) -> Self::Row) -> [Self; 8] {
                 let [p, q, r, s]: [Self::Row; 4] = $crate::lanes::collect(row);
@@ -213,12 +216,15 @@ macro_rules! turn_fours {
                 [Self(a), Self(b), Self(c), Self(d), Self(e), Self(f), Self(g), Self(h)]
             }
             #[inline(always)]
-            fn rows([a, b, c, d, e, f, g, h]: [Self; 8], mut put: impl FnMut(usize, Self::Row)) {
-                let low = $transposed([a.0, b.0, c.0, d.0]);
-                let high = $transposed([e.0, f.0, g.0, h.0]);
-                for l in 0..4 {
-                    put(l, $crate::lanes::Parts([Self(low[l]), Self(high[l])]));
-                }
+            fn rows([a, b, c, d, e, f, g, h]: [Self; 8]) -> Self::Rows {
+                let [p, q, r, s] = $transposed([a.0, b.0, c.0, d.0]);
+                let [t, u, v, w] = $transposed([e.0, f.0, g.0, h.0]);
+                [
+                    $crate::lanes::Parts([Self(p), Self(t)]),
+                    $crate::lanes::Parts([Self(q), Self(u)]),
+                    $crate::lanes::Parts([Self(r), Self(v)]),
+                    $crate::lanes::Parts([Self(s), Self(w)]),
+                ]
             }
         }
     };
@@ -231,6 +237,7 @@ macro_rules! turn_twos {
         impl $crate::lanes::Turn for $t {
             type Number = $number;
             type Row = $crate::lanes::Parts<Self, 4>;
+            type Rows = [Self::Row; 2];
             #[inline(always)]
             fn columns(row: impl FnMut(usize) -> Self::Row) -> [Self; 8] {
                 let [p, q]: [Self::Row; 2] = $crate::lanes::collect(row);
@@ -247,14 +254,11 @@ macro_rules! turn_twos {
                 ]
             }
             #[inline(always)]
-            fn rows([a, b, c, d, e, f, g, h]: [Self; 8], mut put: impl FnMut(usize, Self::Row)) {
-                let rows = [
-                    [Self($low(a.0, b.0)), Self($low(c.0, d.0)), Self($low(e.0, f.0)), Self($low(g.0, h.0))],
-                    [Self($high(a.0, b.0)), Self($high(c.0, d.0)), Self($high(e.0, f.0)), Self($high(g.0, h.0))],
-                ];
-                for (l, row) in rows.into_iter().enumerate() {
-                    put(l, $crate::lanes::Parts(row));
-                }
+            fn rows([a, b, c, d, e, f, g, h]: [Self; 8]) -> Self::Rows {
+                [
+                    $crate::lanes::Parts([Self($low(a.0, b.0)), Self($low(c.0, d.0)), Self($low(e.0, f.0)), Self($low(g.0, h.0))]),
+                    $crate::lanes::Parts([Self($high(a.0, b.0)), Self($high(c.0, d.0)), Self($high(e.0, f.0)), Self($high(g.0, h.0))]),
+                ]
             }
         }
     };
@@ -269,7 +273,7 @@ macro_rules! register {
         $t:ident: $width:literal x $number:ty => $register:ty, mask $mask:ty;
         $splat:expr; $load:expr; $store:expr; $sqrt:expr;
         $add:expr; $sub:expr; $mul:expr; $div:expr; $neg:expr;
-        $less:expr; $select:expr; $any:expr; $both:expr
+        $less:expr; $select:expr; $only:expr; $any:expr
     ) => {
         $(#[$doc])*
         #[derive(Debug, Clone, Copy)]
@@ -330,12 +334,12 @@ macro_rules! register {
                 Self(unsafe { $select(mask, yes.0, no.0) })
             }
             #[inline(always)]
-            fn any(mask: $mask) -> bool {
-                unsafe { $any(mask) }
+            fn only(mask: $mask, x: Self) -> Self {
+                Self(unsafe { $only(mask, x.0) })
             }
             #[inline(always)]
-            fn both(a: $mask, b: $mask) -> $mask {
-                unsafe { $both(a, b) }
+            fn any(mask: $mask) -> bool {
+                unsafe { $any(mask) }
             }
         }
     };

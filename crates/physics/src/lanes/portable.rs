@@ -1,6 +1,6 @@
 //! Plain numbers, one at a time: what runs where there is nothing better, and the reference for the others.
 
-use super::{Lanes, Parts, ROW, Real, Turn};
+use super::{Lanes, ROW, Real, Row, Turn};
 
 /// One number.
 #[derive(Debug, Clone, Copy)]
@@ -72,24 +72,66 @@ impl<R: Real> Lanes for Plain<R> {
         if mask { yes } else { no }
     }
     #[inline(always)]
+    fn only(mask: bool, x: Self) -> Self {
+        if mask { x } else { Self::zero() }
+    }
+    #[inline(always)]
     fn any(mask: bool) -> bool {
         mask
     }
+}
+
+/// The six numbers of a row that are not always zero.
+#[derive(Debug, Clone, Copy)]
+pub struct Six<R>([R; 6]);
+
+/// Where they are in the row.
+const PLACES: [usize; 6] = [0, 1, 2, 4, 5, 6];
+
+impl<R: Real> std::ops::Add for Six<R> {
+    type Output = Self;
     #[inline(always)]
-    fn both(a: bool, b: bool) -> bool {
-        a && b
+    fn add(self, o: Self) -> Self {
+        Self(std::array::from_fn(|i| self.0[i] + o.0[i]))
+    }
+}
+
+impl<R: Real> std::ops::Sub for Six<R> {
+    type Output = Self;
+    #[inline(always)]
+    fn sub(self, o: Self) -> Self {
+        Self(std::array::from_fn(|i| self.0[i] - o.0[i]))
+    }
+}
+
+impl<R: Real> Row<R> for Six<R> {
+    #[inline(always)]
+    fn zero() -> Self {
+        Self([R::default(); 6])
+    }
+    #[inline(always)]
+    fn read(from: &[R; ROW]) -> Self {
+        Self(std::array::from_fn(|i| from[PLACES[i]]))
+    }
+    #[inline(always)]
+    fn write(self, to: &mut [R; ROW]) {
+        for (x, place) in self.0.into_iter().zip(PLACES) {
+            to[place] = x;
+        }
     }
 }
 
 impl<R: Real> Turn for Plain<R> {
     type Number = R;
-    type Row = Parts<Self, ROW>;
+    type Row = Six<R>;
+    type Rows = [Self::Row; 1];
     #[inline(always)]
     fn columns(mut row: impl FnMut(usize) -> Self::Row) -> [Self; ROW] {
-        row(0).0
+        let Six([a, b, c, e, f, g]) = row(0);
+        [Self(a), Self(b), Self(c), Self::zero(), Self(e), Self(f), Self(g), Self::zero()]
     }
     #[inline(always)]
-    fn rows(columns: [Self; ROW], mut put: impl FnMut(usize, Self::Row)) {
-        put(0, Parts(columns));
+    fn rows([a, b, c, _, e, f, g, _]: [Self; ROW]) -> Self::Rows {
+        [Six([a.0, b.0, c.0, e.0, f.0, g.0])]
     }
 }
