@@ -2,7 +2,8 @@
 
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
-import { BUILDS, bytes, golden, play } from './golden.mjs';
+import { BUILDS, bytes } from './engine.mjs';
+import { golden, play } from './golden.mjs';
 
 for (const build of Object.keys(BUILDS)) {
   test(`wasm ${build} gives the golden results`, async () => {
