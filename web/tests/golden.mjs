@@ -14,9 +14,11 @@ export const golden = async () => JSON.parse(await data('hashes.json')).runs;
 export async function play(build) {
   const { Simulation, namedScene } = await load(build);
   const outcomes = [];
-  for (const { name, scene, params, steps, inputs } of JSON.parse(await data('runs.json'))) {
+  for (const { name, scene, stiffness, params, steps, inputs } of JSON.parse(await data('runs.json'))) {
     const lines = inputs ? (await data(inputs)).split('\n') : [];
-    const simulation = new Simulation(namedScene(scene), JSON.stringify(params ?? {}));
+    const start = JSON.parse(namedScene(scene));
+    start.stiffness = stiffness ?? start.stiffness;
+    const simulation = new Simulation(JSON.stringify(start), JSON.stringify(params ?? {}));
     let rest = null;
     for (let i = 0; i < steps; i++) {
       const { awake } = JSON.parse(simulation.step(lines[i] ?? ''));

@@ -75,8 +75,18 @@ test('what is wrong is told in one line', () => {
       ),
   );
   assert.match(
-    message(() => new Simulation(scene, '{"stifness": 1}')),
-    /stifness/,
+    message(
+      () =>
+        new Simulation(
+          with_(s => (s.stiffness = 1)),
+          '',
+        ),
+    ),
+    /stiffness.* N\/m/,
+  );
+  assert.match(
+    message(() => new Simulation(scene, '{"stiffness": 1e6}')),
+    /stiffness/,
   );
   assert.match(
     message(() => namedScene('nowhere')),
@@ -117,6 +127,17 @@ test('a step covers a sixtieth of a second and the poses follow in place', () =>
   assert.ok(poses(simulation)[2] > before[2] + 0.03, `the hand lifts it: ${poses(simulation)[2]}`);
   assert.ok(report.hand.force[2] > 0);
   assert.equal(simulation.asleep(0), false);
+});
+
+test('the stiffness is that of the scene, and another one is another future', () => {
+  const scene = JSON.parse(towerScene('{"rows": 3}'));
+  const hashes = [3e5, 1e6].map(stiffness => {
+    const simulation = new Simulation(JSON.stringify({ ...scene, stiffness }), '');
+    assert.equal(simulation.stiffness, stiffness);
+    for (let i = 0; i < 30; i++) simulation.step('');
+    return simulation.hash();
+  });
+  assert.notEqual(hashes[0], hashes[1]);
 });
 
 test('a restored state goes on with the same bits', () => {

@@ -10,6 +10,7 @@ use teeter_physics::Precision::{Double, Single};
 fn workloads() -> Result<Vec<Workload>, Fault> {
     Ok(vec![
         Workload::awake(18, 1e6, Single)?.of_frames(10),
+        Workload::awake(18, 3e5, Single)?.of_frames(10),
         Workload::awake(18, 3e6, Single)?.of_frames(10),
         Workload::awake(18, 1e6, Double)?.of_frames(10),
         Workload::awake(6, 1e6, Single)?.of_frames(10),

@@ -27,7 +27,7 @@ pub const SETTINGS: [Setting; 4] = [
 
 impl Setting {
     fn params(&self) -> Params {
-        Params { stiffness: self.stiffness, precision: self.precision, sleep: false, frame: FRAME, ..Params::default() }
+        Params { precision: self.precision, sleep: false, frame: FRAME, ..Params::default() }
     }
 
     /// The setting in words.
@@ -43,7 +43,8 @@ pub struct Teeter(World);
 impl Teeter {
     /// A world with `scene` in it.
     pub fn new(scene: &Scene, setting: Setting) -> Self {
-        Self(World::new(scene, setting.params()).expect("the scenes and settings of the bench are valid"))
+        let scene = Scene { stiffness: setting.stiffness, ..scene.clone() };
+        Self(World::new(&scene, setting.params()).expect("the scenes and settings of the bench are valid"))
     }
 }
 

@@ -4,7 +4,7 @@ use std::path::PathBuf;
 
 use clap::{Args, Parser, Subcommand, ValueEnum};
 use teeter_physics::{Params, Precision};
-use teeter_scene::{BlockPreset, MAX_ROWS};
+use teeter_scene::{BlockPreset, MAX_ROWS, STIFFNESS, Scene};
 
 /// A real-time simulator of the tower game Jenga, where contact and friction are springs.
 #[derive(Debug, Parser)]
@@ -52,9 +52,19 @@ pub enum What {
     Config(Config),
     /// List the scenes that have names; `teeter scene NAME` prints one.
     List(List),
-    /// A scene of the list.
+    /// A scene of the list; the words of a [`Named`].
     #[command(external_subcommand)]
     Named(Vec<String>),
+}
+
+/// What may follow `teeter scene` in place of a subcommand.
+#[derive(Debug, Parser)]
+#[command(name = "teeter scene", no_binary_name = true)]
+pub struct Named {
+    /// Name of a scene of the list.
+    pub name: String,
+    #[command(flatten)]
+    pub contact: Contact,
 }
 
 #[derive(Debug, Args)]
@@ -111,6 +121,22 @@ pub struct Common {
     /// Coefficient of kinetic friction [default: that of static friction].
     #[arg(long, value_parser = number(0.0, 2.0))]
     pub kinetic_friction: Option<f64>,
+    #[command(flatten)]
+    pub contact: Contact,
+}
+
+#[derive(Debug, Args)]
+pub struct Contact {
+    /// Stiffness of a contact of 26.8 mm by 26.8 mm, N/m, 1e4 to 1e8 [default: the scene's own, 1e6 where it names none].
+    #[arg(long, value_parser = number(STIFFNESS.0, STIFFNESS.1), value_name = "N/M")]
+    pub stiffness: Option<f64>,
+}
+
+impl Contact {
+    /// The scene with the stiffness asked for in place of its own.
+    pub fn applied(&self, scene: Scene) -> Scene {
+        Scene { stiffness: self.stiffness.unwrap_or(scene.stiffness), ..scene }
+    }
 }
 
 #[derive(Debug, Args)]
@@ -146,9 +172,8 @@ pub struct Score {
 
 #[derive(Debug, Args)]
 pub struct Engine {
-    /// Stiffness of a contact of 26.8 mm by 26.8 mm, N/m, 1e4 to 1e8.
-    #[arg(long, default_value_t = 1e6, value_parser = number(1e4, 1e8), value_name = "N/M")]
-    pub stiffness: f64,
+    #[command(flatten)]
+    pub contact: Contact,
     /// Number format of the inner loop.
     #[arg(long, default_value_t = Format::Single)]
     pub precision: Format,
@@ -179,7 +204,7 @@ impl Engine {
             Format::Single => Precision::Single,
             Format::Double => Precision::Double,
         };
-        Params { stiffness: self.stiffness, precision, sleep, ..Params::default() }
+        Params { precision, sleep, ..Params::default() }
     }
 }
 

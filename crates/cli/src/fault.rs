@@ -10,12 +10,20 @@ pub enum Fault {
     Said(String),
     /// Standard output was closed by its reader.
     ReaderGone,
+    /// The command line is none, or asks for help.
+    Usage(clap::Error),
 }
 
 impl Fault {
     /// A fault in `place`, a file or a line of it.
     pub fn at(place: &str, message: impl Display) -> Self {
         Fault::Said(format!("{place}: {message}"))
+    }
+}
+
+impl From<clap::Error> for Fault {
+    fn from(error: clap::Error) -> Self {
+        Fault::Usage(error)
     }
 }
 

@@ -36,5 +36,6 @@ fn main() -> ExitCode {
         // Whoever reads the output has seen enough: `teeter scene tower | head` is no fault.
         Ok(()) | Err(Fault::ReaderGone) => ExitCode::SUCCESS,
         Err(Fault::Said(message)) => fault::say(&message),
+        Err(Fault::Usage(error)) => fault::usage(&error),
     }
 }

@@ -1,9 +1,10 @@
 //! `teeter scene`: prints scenes.
 
+use clap::Parser;
 use serde::Serialize;
 use teeter_scene::{NAMED, Scene, TowerOptions, Verdict, config, loose, tower};
 
-use crate::args::{Common, SceneArgs, What};
+use crate::args::{Common, Named, SceneArgs, What};
 use crate::fault::Fault;
 use crate::{input, output};
 
@@ -13,20 +14,21 @@ pub fn main(args: SceneArgs) -> Result<(), Fault> {
         What::List(list) => return print_list(list.json),
         What::Tower(t) => {
             let height_sd = 1e-3 * t.height_sd;
-            checked(tower(&TowerOptions { rows: t.rows, height_sd, mass_sd: t.mass_sd.map(|g| 1e-3 * g), ..options(&t.common) }))?
+            let options = TowerOptions { rows: t.rows, height_sd, mass_sd: t.mass_sd.map(|g| 1e-3 * g), ..options(&t.common) };
+            t.common.contact.applied(checked(tower(&options))?)
         }
         What::Config(c) => {
             let options = TowerOptions { height_sd: 1e-3 * c.height_sd, mass_sd: Some(1e-3 * c.mass_sd), ..options(&c.common) };
-            match (&c.config, &c.loose) {
+            c.common.contact.applied(match (&c.config, &c.loose) {
                 (Some(text), _) => checked(config(text, &options))?,
                 (None, Some(text)) => checked(loose(text, &options))?,
                 (None, None) => return Err("a configuration is missing, expected --config or --loose".into()),
-            }
+            })
         }
-        What::Named(words) => match words.as_slice() {
-            [name] => input::known(name)?,
-            _ => return Err(Fault::Said(format!("expected the name of one scene, found `{}`", words.join(" ")))),
-        },
+        What::Named(words) => {
+            let named = Named::try_parse_from(words)?;
+            named.contact.applied(input::known(&named.name)?)
+        }
     };
     output::line(&scene.to_json())
 }

@@ -9,13 +9,15 @@ use rayon::prelude::*;
 
 use crate::args::Score;
 use crate::fault::Fault;
+use crate::labelled::{self, Labelled};
+use crate::output;
 use crate::predict::{Prediction, predict};
 use crate::summary::Summary;
-use crate::{labelled, output};
 
 /// Predicts every scene of a file, on all cores, in the file's order.
 pub fn main(args: Score) -> Result<(), Fault> {
-    let scenes = labelled::read(&args.scenes)?;
+    let scenes: Vec<Labelled> =
+        labelled::read(&args.scenes)?.into_iter().map(|s| Labelled { scene: args.engine.contact.applied(s.scene), ..s }).collect();
     // Opened first: a folder that is missing is better said now than in ten minutes.
     let mut out = args.out.as_deref().map(create).transpose()?;
     let params = args.engine.params(false);

@@ -72,6 +72,7 @@ fn impossible_blocks() {
     assert!(fault_of(|s| s["blocks"][0]["pos"][2] = json!(0.0)).contains("block 7: `pos` is 0.000 mm above the floor"));
     assert!(fault_of(|s| s["blocks"] = json!([])).contains("`blocks` is a list of 0"));
     assert!(fault_of(|s| s["friction"] = json!(3)).contains("`friction` is 3, expected 0 to 2"));
+    assert!(fault_of(|s| s["stiffness"] = json!(1)).contains("`stiffness` is 1, expected 1e4 to 1e8 N/m"));
     assert!(fault_of(|s| s["gravity"] = json!(-9.81)).contains("`gravity` is -9.81, expected 0 to 100 m/s²"));
 }
 
@@ -150,6 +151,9 @@ fn commands_that_are_none() {
         (&["scene", "config"], "--config"),
         (&["scene", "config", "--config", "(01)"], "row 1 of the configuration is `(01)`"),
         (&["scene", "nosuch"], "nosuch"),
+        (&["scene", "midgame", "pile"], "pile"),
+        (&["scene", "midgame", "--stiffness", "stiff"], "stiff"),
+        (&["scene", "tower", "--stiffness", "1e9"], "1e9"),
         (&["scene", "tower", "--kinetic-friction", "0.5"], "`kinetic_friction` is 0.5, expected at most `friction`, 0.4"),
         (&["score", "/dev/null", "--out", "/no/such/folder"], "no scenes"),
     ] {

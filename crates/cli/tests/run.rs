@@ -54,6 +54,20 @@ fn same_run_same_hash() {
     assert_ne!(hash(&["test-4", "--seconds", "1"]), hash(&["test-4", "--seconds", "1", "--stiffness", "2e6"]));
 }
 
+/// The scene's own stiffness holds until the flag names another.
+#[test]
+fn stiffness_is_the_scenes_unless_the_flag_names_one() {
+    let hash = |scene: &[&str], run: &[&str]| {
+        let printed = teeter(&[&["scene"], scene].concat()).out;
+        common::teeter_with(&[&["run", "-", "--seconds", "1", "--json"], run].concat(), printed.as_bytes()).json()["hash"].clone()
+    };
+    let usual = hash(&["test-4"], &[]);
+    let stiff = hash(&["test-4", "--stiffness", "3e6"], &[]);
+    assert_ne!(stiff, usual);
+    assert_eq!(stiff, hash(&["test-4"], &["--stiffness", "3e6"]));
+    assert_eq!(usual, hash(&["test-4", "--stiffness", "3e6"], &["--stiffness", "1e6"]));
+}
+
 #[test]
 fn single_and_double_agree() {
     for format in ["single", "double"] {

@@ -23,6 +23,11 @@ fn options_reach_the_tower() {
     assert_eq!(scene["blocks"][4]["size"], json!([0.075, 0.025, 0.015]));
     assert_eq!(scene["blocks"][4]["mass"], json!(0.0141));
     assert_eq!(scene["friction"], json!(0.3));
+    assert_eq!(scene["stiffness"], json!(1e6));
+    for what in [&["tower"][..], &["config", "--config", "(010)"], &["midgame"]] {
+        let scene = teeter(&[&["scene"], what, &["--stiffness", "3e5"]].concat()).json();
+        assert_eq!(scene["stiffness"], json!(3e5), "{what:?}");
+    }
     assert_ne!(teeter(&["scene", "tower", "--seed", "2"]).out, teeter(&["scene", "tower"]).out);
 }
 

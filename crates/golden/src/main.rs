@@ -8,10 +8,11 @@ use teeter_golden::{Cell, Fault, Golden, mint, play_all, record, runs, table};
 use teeter_physics::Width;
 
 /// Ways to run in one build: a name, the width, the number of threads.
-const NATIVE: [(&str, Width, usize); 5] = [
+const NATIVE: [(&str, Width, usize); 6] = [
     ("portable", Width::Portable, 1),
     ("sse2", Width::Sse2, 1),
     ("avx2", Width::Avx2, 1),
+    ("avx512", Width::Avx512, 1),
     ("2 threads", Width::Auto, 2),
     ("5 threads", Width::Auto, 5),
 ];
@@ -59,7 +60,7 @@ fn run(dir: &Path, args: &[&str]) -> Result<bool, Fault> {
 fn native(dir: &Path, build: &str, ways: &[(&str, Width, usize)]) -> Result<bool, Fault> {
     let runs = runs(dir)?;
     for &(name, width, threads) in ways {
-        if !available(width) {
+        if !width.available() {
             eprintln!("golden: this processor has no {name}: its cells are left out");
             continue;
         }
@@ -68,12 +69,4 @@ fn native(dir: &Path, build: &str, ways: &[(&str, Width, usize)]) -> Result<bool
         }
     }
     Ok(true)
-}
-
-/// Whether the processor has it; another would be used in its place, and the cell would say nothing.
-fn available(width: Width) -> bool {
-    #[cfg(target_arch = "x86_64")]
-    return width != Width::Avx2 || std::is_x86_feature_detected!("avx2");
-    #[cfg(not(target_arch = "x86_64"))]
-    return matches!(width, Width::Auto | Width::Portable);
 }

@@ -16,6 +16,9 @@ struct Entry {
     name: String,
     /// A scene of the list.
     scene: String,
+    /// Stiffness in place of the scene's own, N/m.
+    #[serde(default)]
+    stiffness: Option<f64>,
     #[serde(default)]
     params: Params,
     steps: u32,
@@ -58,8 +61,9 @@ pub fn runs(dir: &Path) -> Result<Vec<Run>, Fault> {
 
 impl Entry {
     fn load(self, dir: &Path) -> Result<Run, Fault> {
-        let Entry { name, scene, params, steps, inputs } = self;
-        let scene = teeter_scene::named(&scene).ok_or_else(|| format!("run {name}: there is no scene called `{scene}`"))?;
+        let Entry { name, scene, stiffness, params, steps, inputs } = self;
+        let mut scene = teeter_scene::named(&scene).ok_or_else(|| format!("run {name}: there is no scene called `{scene}`"))?;
+        scene.stiffness = stiffness.unwrap_or(scene.stiffness);
         let text = inputs.as_ref().map_or(Ok(String::new()), |file| read(dir, file))?;
         let mut inputs: Vec<Input> = Vec::new();
         for (i, line) in text.lines().enumerate() {
@@ -75,7 +79,7 @@ impl Run {
     /// The world that it begins with.
     ///
     /// # Errors
-    /// When the constants are out of range.
+    /// When a constant is out of range.
     pub fn world(&self, width: Width) -> Result<World, Fault> {
         World::new(&self.scene, Params { width, ..self.params }).map_err(|e| format!("run {}: {e}", self.name))
     }

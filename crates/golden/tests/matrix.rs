@@ -49,6 +49,12 @@ fn avx2_gives_the_golden_results() {
     check(Width::Avx2, 1);
 }
 
+/// On a processor without AVX-512 this is a narrower one once more.
+#[test]
+fn avx512_gives_the_golden_results() {
+    check(Width::Avx512, 1);
+}
+
 #[test]
 fn two_and_five_threads_give_the_golden_results() {
     check(Width::Auto, 2);

@@ -1,6 +1,6 @@
 //! The constants of the method, each with its unit and what breaks if it is changed.
 
-/// Area of contact for which [`crate::Params::stiffness`] holds, m²: two crossed nominal blocks.
+/// Area of contact for which the stiffness of a scene holds, m²: two crossed nominal blocks.
 pub const REFERENCE_AREA: f64 = 0.0268 * 0.0268;
 /// Range of the area of contact over [`REFERENCE_AREA`] that stiffness follows. A block lying flat on another has 3.02; the
 /// lower end keeps a sliver from being a hole, the upper one bounds the step.

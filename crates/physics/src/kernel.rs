@@ -11,16 +11,21 @@ use crate::drive::Servo;
 use crate::hand::Pull;
 #[cfg(target_arch = "x86_64")]
 use crate::lanes::portable;
-use crate::lanes::{LANES, Lanes, Real};
+use crate::lanes::{LANES, Lanes, ROW, Real, Row as _};
 use crate::params::Width;
 
 /// Points of an entry; a manifold with more has several entries.
 pub const SLOTS: usize = 4;
 
-/// One number a lane.
-pub type Lane<R> = [R; LANES];
+/// Lanes whose counts of points are kept together: as many as the narrowest vector has.
+pub const QUARTER: usize = 4;
 
-/// A point of each of eight contacts.
+/// One number a lane.
+#[derive(Debug, Clone, Copy, Default)]
+#[repr(align(64))]
+pub struct Lane<R>(pub [R; LANES]);
+
+/// A point of each contact of a group.
 #[derive(Debug, Clone, Copy, Default)]
 pub struct PointLanes<R> {
     /// Place from the centroid along the tangents, m.
@@ -35,15 +40,16 @@ pub struct PointLanes<R> {
     pub creep: Lane<R>,
     /// Stiffness, N/m.
     pub stiffness: Lane<R>,
+    /// Normal force at the last look, N.
+    pub normal: Lane<R>,
 }
 
-/// Eight contacts in which no moving body occurs twice.
-#[derive(Debug, Clone, Copy, Default)]
+/// A contact a lane.
+#[derive(Debug, Clone, Copy)]
 pub struct Group<R> {
-    /// Its points: `count` (1 to 4) from `first` on.
-    pub first: usize,
-    pub count: usize,
-    /// Rows of the bodies.
+    /// Points of the fullest contact of each [`QUARTER`] lanes.
+    pub counts: [u32; LANES / QUARTER],
+    /// Where the rows of the bodies begin: [`ROW`] times the number of the row.
     pub a: [u32; LANES],
     pub b: [u32; LANES],
     /// Normal and tangents in the world.
@@ -52,12 +58,30 @@ pub struct Group<R> {
     pub arm: [Lane<R>; 3],
     /// Damping over stiffness, s.
     pub relaxation: Lane<R>,
+    /// The points.
+    pub points: [PointLanes<R>; SLOTS],
+}
+
+impl<R: Real> Group<R> {
+    /// Open contacts of the floor with itself.
+    pub fn new(floor: u32) -> Self {
+        let open = PointLanes { gap: Lane([R::from_f64(1.0); LANES]), ..PointLanes::default() };
+        Self {
+            counts: [0; LANES / QUARTER],
+            a: [floor; LANES],
+            b: [floor; LANES],
+            frame: Default::default(),
+            arm: Default::default(),
+            relaxation: Lane::default(),
+            points: [open; SLOTS],
+        }
+    }
 }
 
 /// A body's velocity and spin, or force and torque: x, y, z, 0, x, y, z, 0.
 #[derive(Debug, Clone, Copy, Default)]
 #[repr(align(32))]
-pub struct Row<R>(pub [R; 8]);
+pub struct Row<R>(pub [R; ROW]);
 
 impl<R: Real> Row<R> {
     /// Adds to the two vectors.
@@ -85,7 +109,7 @@ impl Actors {
     }
 }
 
-/// Eight bodies.
+/// A body a lane.
 #[derive(Debug, Clone, Copy, Default)]
 pub struct BodyLanes<R> {
     /// Velocity of the centre and spin, m/s and rad/s.
@@ -127,12 +151,8 @@ pub struct Kernel<R> {
     pub width: Width,
     /// Contacts.
     pub groups: Vec<Group<R>>,
-    /// Their points, group by group: as few bytes as can be, for all of this should stay in the nearest cache.
-    pub points: Vec<PointLanes<R>>,
-    /// Normal forces of the points at the end, N.
-    pub normal: Vec<Lane<R>>,
     /// Velocities as of a body that reaches to the reference point of its island, where the velocities of two bodies can be
-    /// subtracted without asking where their centres are; the last rows are the floor and padding, at rest.
+    /// subtracted without asking where their centres are; the last row is the floor, at rest.
     pub velocity: Vec<Row<R>>,
     /// Forces other than contact, weight and applied ones, and their torques about the reference point.
     pub load: Vec<Row<R>>,
@@ -140,6 +160,8 @@ pub struct Kernel<R> {
     pub force: Vec<Row<R>>,
     /// Everything else about the bodies.
     pub bodies: Vec<BodyLanes<R>>,
+    /// How many bodies there are.
+    pub len: usize,
 }
 
 impl<R: Real> Kernel<R> {
@@ -152,10 +174,12 @@ impl<R: Real> Kernel<R> {
     #[cfg(target_arch = "x86_64")]
     pub fn run(&mut self, law: &Law<R>, substeps: usize, actors: &mut Actors) -> usize {
         match self.width {
-            Width::Portable => self.run_in::<portable::Wide<R>>(law, substeps, actors),
-            // SAFETY: the processor has AVX2.
-            Width::Auto | Width::Avx2 if std::is_x86_feature_detected!("avx2") => unsafe { self.run_avx2(law, substeps, actors) },
-            Width::Auto | Width::Avx2 | Width::Sse2 => self.run_in::<R::Base>(law, substeps, actors),
+            Width::Portable => self.run_in::<portable::Plain<R>>(law, substeps, actors),
+            // SAFETY: the processor has what is needed.
+            Width::Auto | Width::Avx512 if Width::Avx512.available() => unsafe { self.run_avx512(law, substeps, actors) },
+            // SAFETY: as above.
+            Width::Auto | Width::Avx512 | Width::Avx2 if Width::Avx2.available() => unsafe { self.run_avx2(law, substeps, actors) },
+            _ => self.run_in::<R::Base>(law, substeps, actors),
         }
     }
 
@@ -163,6 +187,12 @@ impl<R: Real> Kernel<R> {
     #[cfg(not(target_arch = "x86_64"))]
     pub fn run(&mut self, law: &Law<R>, substeps: usize, actors: &mut Actors) -> usize {
         self.run_in::<R::Base>(law, substeps, actors)
+    }
+
+    #[cfg(target_arch = "x86_64")]
+    #[target_feature(enable = "avx512f,avx512vl,avx512dq,avx512bw")]
+    fn run_avx512(&mut self, law: &Law<R>, substeps: usize, actors: &mut Actors) -> usize {
+        self.run_in::<R::Avx512>(law, substeps, actors)
     }
 
     #[cfg(target_arch = "x86_64")]
@@ -175,15 +205,21 @@ impl<R: Real> Kernel<R> {
     fn run_in<L: Lanes<Number = R>>(&mut self, law: &Law<R>, substeps: usize, actors: &mut Actors) -> usize {
         for done in 0..substeps {
             let look = done % GUARD_SUBSTEPS == GUARD_SUBSTEPS - 1;
-            let normal = if look || done + 1 == substeps { &mut self.normal[..] } else { &mut [] };
+            let keep = look || done + 1 == substeps;
             self.force.copy_from_slice(&self.load);
-            for group in &self.groups {
-                contact::<L>(group, &mut self.points, normal, law, &self.velocity, &mut self.force);
+            for group in &mut self.groups {
+                for part in 0..LANES / L::WIDTH {
+                    contact::<L>(group, part, keep, law, &self.velocity, &mut self.force);
+                }
             }
             self.act(law.h, actors);
             for (i, bodies) in self.bodies.iter_mut().enumerate() {
-                let rows = LANES * i..LANES * (i + 1);
-                integrate::<L>(bodies, law.h, &mut self.velocity[rows.clone()], &self.force[rows]);
+                let filled = (self.len - LANES * i).min(LANES).div_ceil(L::WIDTH);
+                for part in 0..filled {
+                    let first = LANES * i + L::WIDTH * part;
+                    let rows = first..first + L::WIDTH;
+                    integrate::<L>(bodies, part, law.h, &mut self.velocity[rows.clone()], &self.force[rows]);
+                }
             }
             if look && self.bodies.iter().any(beyond::<L>) {
                 return done + 1;
@@ -221,28 +257,34 @@ impl<R: Real> Kernel<R> {
 
 /// The vector in a lane.
 pub fn vector<R: Real>(x: &[Lane<R>; 3], l: usize) -> DVec3 {
-    DVec3::new(x[0][l].to_f64(), x[1][l].to_f64(), x[2][l].to_f64())
+    DVec3::new(x[0].0[l].to_f64(), x[1].0[l].to_f64(), x[2].0[l].to_f64())
 }
 
-/// A row that is known to be there.
+/// The row that begins at a place that is known to be one.
 #[inline(always)]
-fn row<R>(rows: &[Row<R>], i: u32) -> &[R; 8] {
-    debug_assert!((i as usize) < rows.len());
-    // SAFETY: `Packing::load` is what fills groups, and it lays out a row for every body it names and for the floor.
-    unsafe { &rows.get_unchecked(i as usize).0 }
+fn row<R>(rows: &[Row<R>], start: u32) -> &[R; ROW] {
+    debug_assert!((start as usize).is_multiple_of(ROW) && (start as usize) < ROW * rows.len());
+    // SAFETY: `Packing::load` is what fills groups, and it lays out a row for every body it names and for the floor. The place is one
+    // in numbers because a processor can multiply an index by the size of a number as it reads, but not by that of a row.
+    unsafe { &*rows.as_ptr().cast::<R>().add(start as usize).cast() }
 }
 
 /// The same, to write to.
 #[inline(always)]
-fn row_mut<R>(rows: &mut [Row<R>], i: u32) -> &mut [R; 8] {
-    debug_assert!((i as usize) < rows.len());
+fn row_mut<R>(rows: &mut [Row<R>], start: u32) -> &mut [R; ROW] {
+    debug_assert!((start as usize).is_multiple_of(ROW) && (start as usize) < ROW * rows.len());
     // SAFETY: as for `row`.
-    unsafe { &mut rows.get_unchecked_mut(i as usize).0 }
+    unsafe { &mut *rows.as_mut_ptr().cast::<R>().add(start as usize).cast() }
 }
 
 #[inline(always)]
-fn load3<L: Lanes>(from: &[Lane<L::Number>; 3]) -> [L; 3] {
-    [L::load(&from[0]), L::load(&from[1]), L::load(&from[2])]
+fn load<L: Lanes>(from: &Lane<L::Number>, part: usize) -> L {
+    L::load(&from.0, part)
+}
+
+#[inline(always)]
+fn load3<L: Lanes>(from: &[Lane<L::Number>; 3], part: usize) -> [L; 3] {
+    [load(&from[0], part), load(&from[1], part), load(&from[2], part)]
 }
 
 #[inline(always)]
@@ -263,33 +305,35 @@ fn out_of_frame<L: Lanes>(frame: &[[L; 3]; 3], v: &[L; 3]) -> [L; 3] {
     [along(0), along(1), along(2)]
 }
 
-/// The contact law on a group: velocities in, forces out, springs advanced. `normal` takes the normal forces unless it is empty.
+/// The contact law on a part of a group: velocities in, forces out, springs advanced. Normal forces are kept where asked for.
 #[inline(always)]
 fn contact<L: Lanes>(
-    group: &Group<L::Number>,
-    points: &mut [PointLanes<L::Number>],
-    normal: &mut [Lane<L::Number>],
+    group: &mut Group<L::Number>,
+    part: usize,
+    keep: bool,
     law: &Law<L::Number>,
     velocity: &[Row<L::Number>],
     force: &mut [Row<L::Number>],
 ) {
+    let first = L::WIDTH * part;
+    let quarters = first / QUARTER..(first + L::WIDTH).div_ceil(QUARTER);
+    let count = group.counts[quarters].iter().fold(0, |most, &count| most.max(count));
+    if count == 0 {
+        return;
+    }
     // relative velocity at the reference point and relative spin, B over A; then at the centroid, along the frame
-    let relative = |l: usize| L::load(row(velocity, group.b[l])) - L::load(row(velocity, group.a[l]));
-    let d = L::transpose([0, 1, 2, 3, 4, 5, 6, 7].map(relative));
-    let (dv, dw) = ([d[0], d[1], d[2]], [d[4], d[5], d[6]]);
-    let arm = load3::<L>(&group.arm);
-    let frame = [load3(&group.frame[0]), load3(&group.frame[1]), load3(&group.frame[2])];
+    let d = L::columns(|l| L::Row::read(row(velocity, group.b[first + l])) - L::Row::read(row(velocity, group.a[first + l])));
+    let (dv, dw): ([L; 3], [L; 3]) = ([d[0], d[1], d[2]], [d[4], d[5], d[6]]);
+    let arm = load3::<L>(&group.arm, part);
+    let frame = [load3(&group.frame[0], part), load3(&group.frame[1], part), load3(&group.frame[2], part)];
     let turning = cross(&dw, &arm);
     let v = into_frame(&frame, &[0, 1, 2].map(|k| dv[k] + turning[k]));
     let w = into_frame(&frame, &dw);
 
     let mut sum = Wrench { f: [L::zero(); 3], m: [L::zero(); 3] };
-    let relaxation = L::load(&group.relaxation);
-    for (i, point) in points[group.first..group.first + group.count].iter_mut().enumerate() {
-        let n = spring(point, law, relaxation, &v, &w, &mut sum);
-        if let Some(to) = normal.get_mut(group.first + i) {
-            n.store(to);
-        }
+    let relaxation = load(&group.relaxation, part);
+    for point in group.points.iter_mut().take(count as usize) {
+        spring(point, part, keep, law, relaxation, &v, &w, &mut sum);
     }
 
     // one force and one moment about the reference point, equal and opposite on the two
@@ -297,13 +341,12 @@ fn contact<L: Lanes>(
     let m = out_of_frame(&frame, &sum.m);
     let t = cross(&arm, &f);
     let zero = L::zero();
-    let on_b = L::transpose([f[0], f[1], f[2], zero, t[0] + m[0], t[1] + m[1], t[2] + m[2], zero]);
-    for (l, on_b) in on_b.into_iter().enumerate() {
-        let a = row_mut(force, group.a[l]);
-        (L::load(a) - on_b).store(a);
-        let b = row_mut(force, group.b[l]);
-        (L::load(b) + on_b).store(b);
-    }
+    L::rows([f[0], f[1], f[2], zero, t[0] + m[0], t[1] + m[1], t[2] + m[2], zero], |l, on_b| {
+        let a = row_mut(force, group.a[first + l]);
+        (L::Row::read(a) - on_b).write(a);
+        let b = row_mut(force, group.b[first + l]);
+        (L::Row::read(b) + on_b).write(b);
+    });
 }
 
 /// Force and moment about the centroid along normal, tangent, tangent.
@@ -312,14 +355,25 @@ struct Wrench<L> {
     m: [L; 3],
 }
 
-/// The springs of one point in each lane, from the relative velocity and spin along normal, tangent, tangent; the normal force.
+/// The springs of one point in each lane, from the relative velocity and spin along normal, tangent, tangent.
 #[inline(always)]
-fn spring<L: Lanes>(p: &mut PointLanes<L::Number>, law: &Law<L::Number>, relaxation: L, v: &[L; 3], w: &[L; 3], sum: &mut Wrench<L>) -> L {
+#[expect(clippy::too_many_arguments, reason = "they are what a point needs, and a struct of them would be taken apart at once")]
+fn spring<L: Lanes>(
+    p: &mut PointLanes<L::Number>,
+    part: usize,
+    keep: bool,
+    law: &Law<L::Number>,
+    relaxation: L,
+    v: &[L; 3],
+    w: &[L; 3],
+    sum: &mut Wrench<L>,
+) {
     let zero = L::zero();
     let h = L::splat(law.h);
-    let (r1, r2) = (L::load(&p.arm[0]), L::load(&p.arm[1]));
-    let (q1, q2) = (L::load(&p.lever[0]), L::load(&p.lever[1]));
-    let k = L::load(&p.stiffness);
+    let load = |from: &Lane<L::Number>| load::<L>(from, part);
+    let (r1, r2) = (load(&p.arm[0]), load(&p.arm[1]));
+    let (q1, q2) = (load(&p.lever[0]), load(&p.lever[1]));
+    let k = load(&p.stiffness);
 
     // velocity of the point, its torsional part on the shorter lever
     let vn = v[0] + (w[1] * r2 - w[2] * r1);
@@ -327,25 +381,28 @@ fn spring<L: Lanes>(p: &mut PointLanes<L::Number>, law: &Law<L::Number>, relaxat
 
     // normal: a spring, a damper and a Maxwell element, that do not pull
     let step = vn * h;
-    let gap = L::load(&p.gap) + step;
-    let creep = L::load(&p.creep) * L::splat(law.keep) + step;
+    let gap = load(&p.gap) + step;
+    let creep = load(&p.creep) * L::splat(law.keep) + step;
     let closed = gap.less(zero);
     let n = -(k * ((gap + creep) + relaxation * vn));
     let n = L::select(L::both(closed, zero.less(n)), n, zero);
-    gap.store(&mut p.gap);
-    L::select(closed, creep, zero).store(&mut p.creep);
+    gap.store(&mut p.gap.0, part);
+    L::select(closed, creep, zero).store(&mut p.creep.0, part);
+    if keep {
+        n.store(&mut p.normal.0, part);
+    }
 
     // tangential: a spring and a damper within Coulomb's cone
     let kt = L::number(TANGENTIAL_STIFFNESS);
     let ct = L::number(TANGENTIAL_DAMPING) * relaxation;
-    let mut s = [0, 1].map(|i| L::select(closed, L::load(&p.stretch[i]) + u[i] * h, zero));
+    let mut s = [0, 1].map(|i| L::select(closed, load(&p.stretch[i]) + u[i] * h, zero));
     let mut g = [0, 1].map(|i| L::select(closed, k * (kt * s[i] + ct * u[i]), zero));
     let limit = L::splat(law.mu_kinetic) * n;
     if L::any((limit * limit).less(g[0] * g[0] + g[1] * g[1])) {
         slide(law, n, &u, &mut s, &mut g);
     }
-    s[0].store(&mut p.stretch[0]);
-    s[1].store(&mut p.stretch[1]);
+    s[0].store(&mut p.stretch[0].0, part);
+    s[1].store(&mut p.stretch[1].0, part);
 
     sum.f[0] += n;
     sum.f[1] -= g[0];
@@ -353,7 +410,6 @@ fn spring<L: Lanes>(p: &mut PointLanes<L::Number>, law: &Law<L::Number>, relaxat
     sum.m[0] -= q1 * g[1] - q2 * g[0];
     sum.m[1] += r2 * n;
     sum.m[2] -= r1 * n;
-    n
 }
 
 /// Brings friction `g` and its springs `s` back to Coulomb's cone. The cone narrows from static to kinetic with the speed of
@@ -374,41 +430,47 @@ fn slide<L: Lanes>(law: &Law<L::Number>, n: L, u: &[L; 2], s: &mut [L; 2], g: &m
 
 /// Semi-implicit Euler: places with the velocity that the springs have just seen, then velocities with the forces.
 #[inline(always)]
-fn integrate<L: Lanes>(bodies: &mut BodyLanes<L::Number>, h: L::Number, velocity: &mut [Row<L::Number>], force: &[Row<L::Number>]) {
+fn integrate<L: Lanes>(
+    bodies: &mut BodyLanes<L::Number>,
+    part: usize,
+    h: L::Number,
+    velocity: &mut [Row<L::Number>],
+    force: &[Row<L::Number>],
+) {
     let h = L::splat(h);
-    let f = L::transpose([0, 1, 2, 3, 4, 5, 6, 7].map(|l| L::load(row(force, l))));
-    let (mut v, mut w) = (load3::<L>(&bodies.velocity), load3::<L>(&bodies.spin));
-    let offset = load3::<L>(&bodies.offset);
+    let f = L::columns(|l| L::Row::read(&force[l].0));
+    let (mut v, mut w) = (load3::<L>(&bodies.velocity, part), load3::<L>(&bodies.spin, part));
+    let offset = load3::<L>(&bodies.offset, part);
     // torque about the centre
     let lever = cross(&offset, &[f[0], f[1], f[2]]);
     let t = [0, 1, 2].map(|k| f[k + 4] - lever[k]);
-    let ease = L::load(&bodies.inv_mass);
+    let ease = load::<L>(&bodies.inv_mass, part);
     for k in 0..3 {
-        (L::load(&bodies.shift[k]) + h * v[k]).store(&mut bodies.shift[k]);
-        (L::load(&bodies.turn[k]) + h * w[k]).store(&mut bodies.turn[k]);
+        (load::<L>(&bodies.shift[k], part) + h * v[k]).store(&mut bodies.shift[k].0, part);
+        (load::<L>(&bodies.turn[k], part) + h * w[k]).store(&mut bodies.turn[k].0, part);
         v[k] += h * (ease * f[k]);
     }
-    let [xx, yy, zz, xy, xz, yz] = [0, 1, 2, 3, 4, 5].map(|k| L::load(&bodies.inv_inertia[k]));
+    let [xx, yy, zz, xy, xz, yz] = [0, 1, 2, 3, 4, 5].map(|k| load::<L>(&bodies.inv_inertia[k], part));
     w[0] += h * (xx * t[0] + xy * t[1] + xz * t[2]);
     w[1] += h * (xy * t[0] + yy * t[1] + yz * t[2]);
     w[2] += h * (xz * t[0] + yz * t[1] + zz * t[2]);
     for k in 0..3 {
-        v[k].store(&mut bodies.velocity[k]);
-        w[k].store(&mut bodies.spin[k]);
+        v[k].store(&mut bodies.velocity[k].0, part);
+        w[k].store(&mut bodies.spin[k].0, part);
     }
     let turning = cross(&w, &offset);
     let zero = L::zero();
     let at = [0, 1, 2].map(|k| v[k] - turning[k]);
-    for (row, to) in L::transpose([at[0], at[1], at[2], zero, w[0], w[1], w[2], zero]).into_iter().zip(velocity) {
-        row.store(&mut to.0);
-    }
+    L::rows([at[0], at[1], at[2], zero, w[0], w[1], w[2], zero], |l, row| row.write(&mut velocity[l].0));
 }
 
 /// Whether a body has gone as far as it may between two syncs.
 #[inline(always)]
 fn beyond<L: Lanes>(bodies: &BodyLanes<L::Number>) -> bool {
     let length = |x: [L; 3]| (x[0] * x[0] + x[1] * x[1] + x[2] * x[2]).sqrt();
-    let turn = length(load3(&bodies.turn));
-    let travel = length(load3(&bodies.shift)) + turn * L::load(&bodies.radius);
-    L::any(L::load(&bodies.travel_bound).less(travel)) || L::any(L::load(&bodies.turn_bound).less(turn))
+    (0..LANES / L::WIDTH).any(|part| {
+        let turn = length(load3(&bodies.turn, part));
+        let travel = length(load3(&bodies.shift, part)) + turn * load(&bodies.radius, part);
+        L::any(load::<L>(&bodies.travel_bound, part).less(travel)) || L::any(load::<L>(&bodies.turn_bound, part).less(turn))
+    })
 }

@@ -55,7 +55,7 @@ pub struct Manifold {
     pub frame: [DVec3; 3],
     /// Centroid of the patch in A's frame, m.
     pub centroid: DVec3,
-    /// Area of the patch over the reference area, clamped: stiffness over that of the run.
+    /// Area of the patch over the reference area, clamped: stiffness over that of the scene.
     pub area: f64,
     /// How easily the two bodies give way at the patch, 1/kg: bounds what the explicit step can hold.
     pub mobility: f64,

@@ -10,8 +10,8 @@ use crate::batch;
 use crate::body::{Bodies, FLOOR, Shapes, world_tensor};
 use crate::constants::{FLOOR_STEP_LIMIT, MAXWELL_TIME, STEP_LIMIT};
 use crate::island::islands;
-use crate::kernel::{BodyLanes, Group, Kernel, Law, PointLanes, Row, SLOTS, vector};
-use crate::lanes::{LANES, Real};
+use crate::kernel::{BodyLanes, Group, Kernel, Lane, Law, QUARTER, Row, SLOTS, vector};
+use crate::lanes::{LANES, ROW, Real};
 use crate::manifold::Manifold;
 
 /// Up to four points of a manifold.
@@ -22,11 +22,10 @@ struct Entry {
     points: [u8; SLOTS],
 }
 
-/// Which entry is in which lane of which group.
+/// The entries, sixteen to a group of the inner loop.
 #[derive(Debug, Clone, Default)]
 pub struct Packing {
     entries: Vec<Entry>,
-    groups: Vec<Vec<u32>>,
     /// Bodies on which only their load acts: they fly in closed form, see [`crate::sync::fly`].
     pub free: Vec<bool>,
 }
@@ -40,7 +39,7 @@ pub struct Batch {
     pub mu: (f64, f64),
     /// Damping ratio.
     pub zeta: f64,
-    /// Stiffness of the run, N/m.
+    /// Stiffness of the scene, N/m.
     pub stiffness: f64,
     /// How far a point of each body may get before the next sync, m.
     pub travel: Vec<f64>,
@@ -80,30 +79,10 @@ impl Packing {
         }
         self.entries.sort_by_key(|e| std::cmp::Reverse(e.count));
 
-        // first fit: into the first group that has a lane left and neither of the two bodies
         self.free = batch.held.iter().map(|held| !held).collect();
-        self.groups.clear();
-        let mut members: Vec<[u32; 2 * LANES]> = Vec::new();
-        let mut open: Vec<usize> = Vec::new();
-        for (e, entry) in self.entries.iter().enumerate() {
+        for entry in &self.entries {
             let manifold = &manifolds[entry.manifold as usize];
-            // what does not move may be in a group twice
-            let pair = [manifold.a, manifold.b].map(|i| if still(i) { FLOOR } else { i });
-            let clash = |g: usize| members[g].iter().any(|&i| i != FLOOR && (i == pair[0] || i == pair[1]));
-            let place = open.iter().position(|&g| !clash(g)).unwrap_or_else(|| {
-                open.push(self.groups.len());
-                self.groups.push(Vec::with_capacity(LANES));
-                members.push([FLOOR; 2 * LANES]);
-                open.len() - 1
-            });
-            let g = open[place];
-            let lane = self.groups[g].len();
-            self.groups[g].push(e as u32);
-            members[g][2 * lane..2 * lane + 2].copy_from_slice(&pair);
-            if lane + 1 == LANES {
-                open.remove(place);
-            }
-            for i in pair.into_iter().filter(|&i| i != FLOOR) {
+            for i in [manifold.a, manifold.b].into_iter().filter(|&i| i != FLOOR) {
                 self.free[i as usize] = false;
             }
         }
@@ -113,26 +92,18 @@ impl Packing {
     pub fn load<R: Real>(&self, kernel: &mut Kernel<R>, manifolds: &[Manifold], shapes: &Shapes, bodies: &Bodies, batch: &Batch) -> Law<R> {
         let references = self.references(manifolds, bodies, batch);
         load_bodies(kernel, shapes, bodies, batch, &self.free, &references);
-        let floor = bodies.len() as u32;
+        let floor = (kernel.velocity.len() - 1) as u32 * ROW as u32;
         kernel.groups.clear();
-        kernel.points.clear();
-        let open = PointLanes { gap: [R::from_f64(1.0); LANES], ..PointLanes::default() };
-        for lanes in &self.groups {
-            let count = lanes.iter().map(|&e| self.entries[e as usize].count).max().unwrap_or(0);
-            let first = kernel.points.len();
-            kernel.points.resize(first + count, open);
-            let mut group = Group { first, count, a: [floor; LANES], b: [floor; LANES], ..Group::default() };
-            for (l, &e) in lanes.iter().enumerate() {
-                let entry = &self.entries[e as usize];
+        for entries in self.entries.chunks(LANES) {
+            let mut group = Group::new(floor);
+            for (l, entry) in entries.iter().enumerate() {
                 let manifold = &manifolds[entry.manifold as usize];
                 let mover = if manifold.a == FLOOR || batch.held[manifold.a as usize] { manifold.b } else { manifold.a };
                 load_entry(&mut group, l, manifold, bodies, references[mover as usize]);
-                load_points(&mut group, &mut kernel.points[first..], l, entry, manifold, springs(manifold, shapes, batch));
+                load_points(&mut group, l, entry, manifold, springs(manifold, shapes, batch));
             }
             kernel.groups.push(group);
         }
-        kernel.normal.clear();
-        kernel.normal.resize(kernel.points.len(), [R::default(); LANES]);
         Law {
             h: R::from_f64(batch.h),
             keep: R::from_f64(1.0 - batch.h / MAXWELL_TIME),
@@ -159,15 +130,14 @@ impl Packing {
 
     /// Takes the springs back into the manifolds.
     pub fn unload<R: Real>(&self, kernel: &Kernel<R>, manifolds: &mut [Manifold]) {
-        for (lanes, group) in self.groups.iter().zip(&kernel.groups) {
-            for (l, &e) in lanes.iter().enumerate() {
-                let entry = &self.entries[e as usize];
+        for (entries, group) in self.entries.chunks(LANES).zip(&kernel.groups) {
+            for (l, entry) in entries.iter().enumerate() {
                 let points = &mut manifolds[entry.manifold as usize].points;
-                for (slot, &p) in entry.points[..entry.count].iter().enumerate() {
-                    let (from, to) = (&kernel.points[group.first + slot], &mut points[p as usize]);
-                    to.stretch = [from.stretch[0][l].to_f64(), from.stretch[1][l].to_f64()];
-                    to.creep = from.creep[l].to_f64();
-                    to.force = kernel.normal[group.first + slot][l].to_f64();
+                for (from, &p) in group.points.iter().zip(&entry.points[..entry.count]) {
+                    let to = &mut points[p as usize];
+                    to.stretch = [from.stretch[0].0[l].to_f64(), from.stretch[1].0[l].to_f64()];
+                    to.creep = from.creep.0[l].to_f64();
+                    to.force = from.normal.0[l].to_f64();
                 }
             }
         }
@@ -178,35 +148,30 @@ impl Packing {
 fn load_entry<R: Real>(group: &mut Group<R>, l: usize, manifold: &Manifold, bodies: &Bodies, reference: DVec3) {
     let (center_a, axes_a) = bodies.pose(manifold.a);
     let centroid = center_a + axes_a * manifold.centroid;
-    let set = |to: &mut [[R; LANES]; 3], x: DVec3| {
+    let set = |to: &mut [Lane<R>; 3], x: DVec3| {
         for k in 0..3 {
-            to[k][l] = R::from_f64(x[k]);
+            to[k].0[l] = R::from_f64(x[k]);
         }
     };
     for k in 0..3 {
         set(&mut group.frame[k], axes_a * manifold.frame[k]);
     }
     set(&mut group.arm, centroid - reference);
-    group.b[l] = manifold.b;
+    group.b[l] = manifold.b * ROW as u32;
     if manifold.a != FLOOR {
-        group.a[l] = manifold.a;
+        group.a[l] = manifold.a * ROW as u32;
     }
 }
 
 /// Puts the springs of an entry into lane `l`.
-fn load_points<R: Real>(
-    group: &mut Group<R>,
-    points: &mut [PointLanes<R>],
-    l: usize,
-    entry: &Entry,
-    manifold: &Manifold,
-    (stiffness, damping): (f64, f64),
-) {
+fn load_points<R: Real>(group: &mut Group<R>, l: usize, entry: &Entry, manifold: &Manifold, (stiffness, damping): (f64, f64)) {
     let levers = manifold.levers();
-    group.relaxation[l] = R::from_f64(damping / stiffness);
-    for (&p, to) in entry.points[..entry.count].iter().zip(points) {
+    let count = &mut group.counts[l / QUARTER];
+    *count = (*count).max(entry.count as u32);
+    group.relaxation.0[l] = R::from_f64(damping / stiffness);
+    for (&p, to) in entry.points[..entry.count].iter().zip(&mut group.points) {
         let from = &manifold.points[p as usize];
-        let put = |to: &mut [R; LANES], x: f64| to[l] = R::from_f64(x);
+        let put = |to: &mut Lane<R>, x: f64| to.0[l] = R::from_f64(x);
         let lever = levers(from);
         for (k, lever) in lever.into_iter().enumerate() {
             put(&mut to.arm[k], from.arm[k]);
@@ -236,19 +201,21 @@ fn springs(manifold: &Manifold, shapes: &Shapes, batch: &Batch) -> (f64, f64) {
 
 fn load_bodies<R: Real>(kernel: &mut Kernel<R>, shapes: &Shapes, bodies: &Bodies, batch: &Batch, free: &[bool], references: &[DVec3]) {
     let n = bodies.len();
-    // at least one row beyond the bodies: the floor
-    let blocks = n / LANES + 1;
+    let blocks = n.div_ceil(LANES);
+    // one beyond the bodies: the floor
+    let rows = blocks * LANES + 1;
+    kernel.len = n;
     kernel.velocity.clear();
-    kernel.velocity.resize(blocks * LANES, Row::default());
+    kernel.velocity.resize(rows, Row::default());
     kernel.load.clear();
-    kernel.load.resize(blocks * LANES, Row::default());
-    kernel.force.resize(blocks * LANES, Row::default());
+    kernel.load.resize(rows, Row::default());
+    kernel.force.resize(rows, Row::default());
     kernel.bodies.clear();
     kernel.bodies.resize(blocks, BodyLanes::default());
     let far = R::from_f64(1e30);
     for block in &mut kernel.bodies {
-        block.travel_bound = [far; LANES];
-        block.turn_bound = [far; LANES];
+        block.travel_bound = Lane([far; LANES]);
+        block.turn_bound = Lane([far; LANES]);
     }
     let row = |x: DVec3, y: DVec3| Row([x.x, x.y, x.z, 0.0, y.x, y.y, y.z, 0.0].map(R::from_f64));
     for (i, &free) in free.iter().enumerate() {
@@ -257,23 +224,23 @@ fn load_bodies<R: Real>(kernel: &mut Kernel<R>, shapes: &Shapes, bodies: &Bodies
         let (v, w) = (bodies.velocity[i], bodies.spin[i]);
         kernel.velocity[i] = row(v - w.cross(offset), w);
         for k in 0..3 {
-            block.velocity[k][l] = R::from_f64(v[k]);
-            block.spin[k][l] = R::from_f64(w[k]);
-            block.offset[k][l] = R::from_f64(offset[k]);
+            block.velocity[k].0[l] = R::from_f64(v[k]);
+            block.spin[k].0[l] = R::from_f64(w[k]);
+            block.offset[k].0[l] = R::from_f64(offset[k]);
         }
-        block.radius[l] = R::from_f64(shapes.radius[i]);
-        block.travel_bound[l] = R::from_f64(batch.travel[i]);
-        block.turn_bound[l] = R::from_f64(batch::turn(bodies, i, !free));
+        block.radius.0[l] = R::from_f64(shapes.radius[i]);
+        block.travel_bound.0[l] = R::from_f64(batch.travel[i]);
+        block.turn_bound.0[l] = R::from_f64(batch::turn(bodies, i, !free));
         if batch.held[i] || free {
             continue;
         }
         let (force, torque) = batch.load[i];
         kernel.load[i] = row(force, torque + offset.cross(force));
-        block.inv_mass[l] = R::from_f64(shapes.mass[i].recip());
+        block.inv_mass.0[l] = R::from_f64(shapes.mass[i].recip());
         let tensor = world_tensor(bodies.orientation[i], shapes.inertia[i].recip());
         let (x, y, z) = (tensor.x_axis, tensor.y_axis, tensor.z_axis);
         for (to, from) in block.inv_inertia.iter_mut().zip([x.x, y.y, z.z, x.y, x.z, y.z]) {
-            to[l] = R::from_f64(from);
+            to.0[l] = R::from_f64(from);
         }
     }
 }

@@ -28,14 +28,28 @@ pub enum Width {
     Sse2,
     /// 256 bits.
     Avx2,
+    /// 512 bits in single precision.
+    Avx512,
 }
 
-/// Constants of a run: with the state and the inputs they determine all of the future.
+impl Width {
+    /// Whether this processor has it; where it has not, another is used in its place.
+    pub fn available(self) -> bool {
+        #[cfg(target_arch = "x86_64")]
+        return match self {
+            Width::Auto | Width::Portable | Width::Sse2 => true,
+            Width::Avx2 => std::is_x86_feature_detected!("avx2"),
+            Width::Avx512 => crate::lanes::avx512::available(),
+        };
+        #[cfg(not(target_arch = "x86_64"))]
+        return matches!(self, Width::Auto | Width::Portable);
+    }
+}
+
+/// Constants of a run: with the scene, the state and the inputs they determine all of the future.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 #[serde(default, deny_unknown_fields)]
 pub struct Params {
-    /// Normal stiffness of a contact of [`REFERENCE_AREA`], N/m. From 1e4 to 1e8.
-    pub stiffness: f64,
     /// Number format of the inner loop.
     pub precision: Precision,
     /// Registers of the inner loop; never changes the result.
@@ -50,6 +64,6 @@ pub struct Params {
 
 impl Default for Params {
     fn default() -> Self {
-        Self { stiffness: 1e6, precision: Precision::Single, width: Width::Auto, sleep: true, ramp: 0.3, frame: 1.0 / 60.0 }
+        Self { precision: Precision::Single, width: Width::Auto, sleep: true, ramp: 0.3, frame: 1.0 / 60.0 }
     }
 }

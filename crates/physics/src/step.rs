@@ -61,7 +61,7 @@ impl World {
             load[i].0 += force;
             load[i].1 += (state.bodies.orientation[i] * applied.point).cross(force);
         }
-        Batch { h: self.h, mu: self.mu, zeta: self.zeta, stiffness: self.params.stiffness, travel, load, held }
+        Batch { h: self.h, mu: self.mu, zeta: self.zeta, stiffness: self.stiffness, travel, load, held }
     }
 
     /// Packs, runs the inner loop and unpacks the springs; returns the substeps done.

@@ -72,6 +72,8 @@ pub struct World {
     pub(crate) mu: (f64, f64),
     /// Damping ratio.
     pub(crate) zeta: f64,
+    /// Normal stiffness of a contact of the reference area, N/m.
+    pub(crate) stiffness: f64,
     /// Substep, s, and how many make a frame.
     pub(crate) h: f64,
     pub(crate) substeps: usize,
@@ -91,12 +93,13 @@ impl World {
         scene.validate()?;
         let shapes = Shapes::new(scene);
         let bodies = Bodies::new(scene);
-        let longest = STEP_FRACTION * (step_mass(&shapes) / params.stiffness).sqrt();
+        let longest = STEP_FRACTION * (step_mass(&shapes) / scene.stiffness).sqrt();
         let substeps = (params.frame / longest).ceil().max(1.0) as usize;
         let mut world = Self {
             scene_gravity: scene.gravity,
             mu: (scene.friction, scene.kinetic_friction.unwrap_or(scene.friction)),
             zeta: damping_ratio(scene.restitution),
+            stiffness: scene.stiffness,
             h: params.frame / substeps as f64,
             substeps,
             kernel: match params.precision {
@@ -135,6 +138,11 @@ impl World {
     /// The constants of the run.
     pub fn params(&self) -> &Params {
         &self.params
+    }
+
+    /// Stiffness of the scene, N/m.
+    pub fn stiffness(&self) -> f64 {
+        self.stiffness
     }
 
     /// Simulated time, s.
@@ -324,7 +332,6 @@ fn check(params: &Params) -> Result<(), BuildError> {
         // a NaN is in no range
         if (low..=high).contains(&value) { Ok(()) } else { Err(BuildError::Param { field, value, expected }) }
     };
-    range("stiffness", params.stiffness, 1e4, 1e8, "1e4 to 1e8 N/m")?;
     range("ramp", params.ramp, 0.0, 60.0, "0 to 60 s")?;
     range("frame", params.frame, 1e-4, 0.1, "0.0001 to 0.1 s")
 }

@@ -5,9 +5,9 @@ mod common;
 use common::*;
 use glam::DVec3;
 use teeter_physics::{BuildError, Drive, Input, Params, Precision, World};
-use teeter_scene::{TowerOptions, tower};
+use teeter_scene::{Scene, TowerOptions, tower};
 
-fn small(seed: u64) -> teeter_scene::Scene {
+fn small(seed: u64) -> Scene {
     tower(&TowerOptions { rows: 6, seed, ..TowerOptions::default() }).unwrap()
 }
 
@@ -85,7 +85,7 @@ fn what_a_sleeper_rests_on_cannot_be_taken_away_unnoticed() {
 fn sleep_never_stops_what_is_falling_slowly() {
     // a block that stands on its end, out of balance by 10 um at the top: it stays below 0.05 m/s for most of a second
     let half = 0.0405;
-    let scene = teeter_scene::Scene {
+    let scene = Scene {
         blocks: vec![teeter_scene::Block { id: 0, size: [0.002, 0.0268, 0.081], mass: 0.002, pos: [0.0, 0.0, half], yaw: 0.0 }],
         ..one()
     };
@@ -113,13 +113,32 @@ fn a_collapsed_tower_comes_to_rest() {
 fn constants_out_of_range_are_refused_by_name() {
     let refuse = |params: Params| World::new(&one(), params).unwrap_err();
     for (params, field) in [
-        (Params { stiffness: 1e3, ..Params::default() }, "stiffness"),
-        (Params { stiffness: f64::NAN, ..Params::default() }, "stiffness"),
         (Params { ramp: -1.0, ..Params::default() }, "ramp"),
+        (Params { ramp: f64::NAN, ..Params::default() }, "ramp"),
         (Params { frame: 0.0, ..Params::default() }, "frame"),
     ] {
         let error = refuse(params);
         assert!(matches!(error, BuildError::Param { field: f, .. } if f == field), "{error}");
         assert!(error.to_string().contains("expected"));
     }
+    for stiffness in [1e3, f64::NAN] {
+        let error = World::new(&Scene { stiffness, ..one() }, Params::default()).unwrap_err().to_string();
+        assert_eq!(error, format!("`stiffness` is {stiffness}, expected 1e4 to 1e8 N/m"));
+    }
+}
+
+/// Three times the stiffness sinks a third as far, in substeps that are shorter by its root; the snapshot holds none of it.
+#[test]
+fn stiffness_is_that_of_the_scene() {
+    let settled = |stiffness: f64| {
+        let mut world = World::new(&Scene { stiffness, ..column(3) }, awake()).unwrap();
+        run(&mut world, 2.0, &Input::default());
+        let sink = 0.045 - position(&world, 2).z;
+        (world, sink)
+    };
+    let ((soft, deep), (stiff, shallow)) = (settled(1e6), settled(3e6));
+    assert_eq!((soft.stiffness(), stiff.stiffness()), (1e6, 3e6));
+    assert!((deep / shallow - 3.0).abs() < 0.05, "{deep} and {shallow} m");
+    assert!((soft.substep() / stiff.substep() - 3.0f64.sqrt()).abs() < 0.1);
+    assert_ne!(soft.hash(), stiff.hash());
 }

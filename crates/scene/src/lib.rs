@@ -28,6 +28,6 @@ pub use named::{NAMED, NamedScene, Verdict, named};
 pub use notation::{Cell, Notation};
 pub use preset::BlockPreset;
 pub use random::Random;
-pub use scene::{Block, Scene, standard_gravity};
+pub use scene::{Block, Scene, standard_gravity, usual_stiffness};
 pub use tower::{LOOSE_BY, MAX_ROWS, TowerOptions, config, loose, tower};
-pub use validate::MAX_BLOCKS;
+pub use validate::{MAX_BLOCKS, STIFFNESS};

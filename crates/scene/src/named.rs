@@ -6,7 +6,7 @@ use serde::{Deserialize, Serialize};
 
 use crate::random::Random;
 use crate::tower::{self, TowerOptions, tower};
-use crate::{Block, BlockPreset, Scene, overlap, standard_gravity};
+use crate::{Block, BlockPreset, Scene, overlap, standard_gravity, usual_stiffness};
 
 /// Whether a tower stands.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
@@ -109,6 +109,7 @@ fn blocks(blocks: Vec<Block>) -> Scene {
         friction: 0.4,
         kinetic_friction: None,
         restitution: 0.0,
+        stiffness: usual_stiffness(),
         blocks,
         label: None,
         margin: None,

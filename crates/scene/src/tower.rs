@@ -10,7 +10,7 @@ use serde::{Deserialize, Serialize};
 
 use crate::notation::{Cell, Notation};
 use crate::random::Random;
-use crate::{Block, BlockPreset, Scene, SceneError, standard_gravity};
+use crate::{Block, BlockPreset, Scene, SceneError, standard_gravity, usual_stiffness};
 
 /// Most rows of a tower.
 pub const MAX_ROWS: u32 = 200;
@@ -121,6 +121,7 @@ pub(crate) fn build(name: &str, rows: &[[Cell; 3]], options: &TowerOptions) -> R
         friction: options.friction,
         kinetic_friction: options.kinetic_friction,
         restitution: 0.0,
+        stiffness: usual_stiffness(),
         blocks,
         label: None,
         margin: None,

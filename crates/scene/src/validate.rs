@@ -5,6 +5,8 @@ use crate::{Scene, SceneError};
 
 /// Most blocks of a scene.
 pub const MAX_BLOCKS: usize = 20_000;
+/// Least and greatest stiffness of a scene, N/m.
+pub const STIFFNESS: (f64, f64) = (1e4, 1e8);
 /// Shortest and longest edge of a block, m.
 const EDGE: (f64, f64) = (1e-3, 10.0);
 /// Heaviest block, kg.
@@ -37,6 +39,10 @@ impl Scene {
             }
         }
         range("restitution", self.restitution, 0.0, 1.0, "")?;
+        if !(STIFFNESS.0..=STIFFNESS.1).contains(&self.stiffness) {
+            let expected = format!("{:e} to {:e} N/m", STIFFNESS.0, STIFFNESS.1);
+            return Err(SceneError::Field { field: "stiffness", value: self.stiffness.to_string(), expected });
+        }
         if let Some(az) = self.tilt_az {
             range("tilt_az", az, -100.0, 100.0, " rad")?;
         }

@@ -4,7 +4,7 @@ use serde_json::{Value, json};
 use teeter_scene::{MAX_BLOCKS, Scene, SceneError};
 
 fn good() -> Value {
-    json!({"name": "two", "gravity": 9.81, "friction": 0.4, "restitution": 0.0, "family": "unknown fields are passed over", "blocks": [
+    json!({"name": "two", "gravity": 9.81, "friction": 0.4, "restitution": 0.0, "stiffness": 1e6, "family": "unknown fields are passed over", "blocks": [
         {"id": 7, "size": [0.081, 0.0268, 0.018], "mass": 0.0196, "pos": [0.0, 0.0, 0.009], "yaw": 0.0},
         {"id": 9, "size": [0.081, 0.0268, 0.018], "mass": 0.0196, "pos": [0.0, 0.0, 0.027], "yaw": 0.3}]})
 }
@@ -35,7 +35,7 @@ fn the_good_scene_is_good() {
     let scene = Scene::from_json(&good().to_string()).unwrap();
     assert_eq!(scene.blocks.len(), 2);
     let mut plain = good();
-    for optional in ["gravity", "restitution"] {
+    for optional in ["gravity", "restitution", "stiffness"] {
         plain.as_object_mut().unwrap().remove(optional);
     }
     plain["blocks"][0].as_object_mut().unwrap().remove("yaw");
@@ -62,6 +62,7 @@ fn values_of_the_wrong_kind() {
     assert!(with("/blocks/1/pos", Some(json!([0.0, 1.0]))).starts_with("block 9: `pos`: invalid length 2"));
     assert!(with("/blocks/1/id", Some(json!(-1))).starts_with("block at place 1 of the list: `id`: invalid value: integer `-1`"));
     assert!(with("/friction", Some(Value::Null)).starts_with("`friction`: invalid type: null"));
+    assert!(with("/stiffness", Some(json!("stiff"))).starts_with("`stiffness`: invalid type: string \"stiff\", expected f64"));
     assert!(with("/blocks", Some(json!({}))).starts_with("`blocks`: invalid type: map, expected a sequence"));
 }
 
@@ -82,7 +83,7 @@ fn not_finite() {
     assert!(error.contains("this is not JSON: expected value"), "{error}");
     for bad in [f64::NAN, f64::INFINITY, f64::NEG_INFINITY] {
         let base = Scene::from_json(&text).unwrap();
-        let spoilt: [(&str, Spoil); 8] = [
+        let spoilt: [(&str, Spoil); 10] = [
             ("block 7: `size`", |s, x| s.blocks[0].size[2] = x),
             ("block 7: `mass`", |s, x| s.blocks[0].mass = x),
             ("block 7: `pos`", |s, x| s.blocks[0].pos[0] = x),
@@ -90,6 +91,8 @@ fn not_finite() {
             ("`gravity`", |s, x| s.gravity = x),
             ("`friction`", |s, x| s.friction = x),
             ("`kinetic_friction`", |s, x| s.kinetic_friction = Some(x)),
+            ("`restitution`", |s, x| s.restitution = x),
+            ("`stiffness`", |s, x| s.stiffness = x),
             ("`tilt_az`", |s, x| s.tilt_az = Some(x)),
         ];
         for (place, spoil) in spoilt {
@@ -116,6 +119,9 @@ fn values_out_of_range() {
         ("friction", -0.1, "0 to 2"),
         ("friction", 2.1, "0 to 2"),
         ("restitution", 1.1, "0 to 1"),
+        ("stiffness", 9999.0, "1e4 to 1e8 N/m"),
+        ("stiffness", 100000001.0, "1e4 to 1e8 N/m"),
+        ("stiffness", -1000000.0, "1e4 to 1e8 N/m"),
     ] {
         assert_eq!(with(&format!("/{field}"), Some(json!(bad))), format!("`{field}` is {bad}, expected {expected}"));
     }

@@ -90,6 +90,12 @@ impl Simulation {
         self.world.restore(bytes).map_err(|e| Failure(e.to_string()))
     }
 
+    /// Stiffness of the scene, N/m.
+    #[wasm_bindgen(getter)]
+    pub fn stiffness(&self) -> f64 {
+        self.world.stiffness()
+    }
+
     /// Simulated time, s.
     pub fn time(&self) -> f64 {
         self.world.time()
@@ -122,7 +128,7 @@ mod tests {
 
     #[test]
     fn what_is_no_scene_or_no_input_is_told_in_one_line() {
-        for (scene, params) in [("{", ""), ("[]", ""), (ONE, "{\"stifness\": 1}"), (ONE, "nonsense"), ("{\"name\": NaN}", "")] {
+        for (scene, params) in [("{", ""), ("[]", ""), (ONE, "{\"stiffness\": 1e6}"), (ONE, "nonsense"), ("{\"name\": NaN}", "")] {
             let line = Simulation::new(scene, params).unwrap_err().to_string();
             assert!(!line.is_empty() && !line.contains('\n'), "{line}");
         }

@@ -1,12 +1,16 @@
-//! Eight numbers at once, for the widths that machines have.
+//! Several numbers at once, for the widths that machines have.
 //!
-//! Every operation rounds each lane as the plain number does, and none mixes lanes but [`Lanes::transpose`], which rounds nothing:
-//! all implementations give the same bits. There is deliberately no fused multiply-add, no reciprocal estimate and no sum across.
+//! Every operation rounds each lane as the plain number does, and none mixes lanes but the two of [`Turn`], which round nothing: all
+//! implementations give the same bits. There is deliberately no fused multiply-add, no reciprocal estimate and no sum across.
+//!
+//! A type here is one register. Data lie in lines of [`LANES`] numbers, of which a register holds a part, or all of it.
 
 use std::ops::{Add, AddAssign, Div, Mul, Neg, Sub, SubAssign};
 
 #[cfg(target_arch = "x86_64")]
 pub mod avx2;
+#[cfg(target_arch = "x86_64")]
+pub mod avx512;
 pub mod float_mode;
 pub mod portable;
 #[cfg(all(target_arch = "wasm32", target_feature = "simd128"))]
@@ -16,8 +20,10 @@ pub mod sse2;
 #[cfg(test)]
 mod tests;
 
-/// Numbers in a bundle.
-pub const LANES: usize = 8;
+/// Numbers in a line of data: as many as the widest register holds.
+pub const LANES: usize = 16;
+/// Numbers in a row.
+pub const ROW: usize = 8;
 
 /// f32 or f64, with just the operations that round the same on every target.
 pub trait Real:
@@ -34,10 +40,13 @@ pub trait Real:
     + Sync
     + 'static
 {
-    /// Eight of them with AVX2.
+    /// A register of AVX-512, or the widest that is of use there.
+    #[cfg(target_arch = "x86_64")]
+    type Avx512: Lanes<Number = Self>;
+    /// A register of AVX2.
     #[cfg(target_arch = "x86_64")]
     type Avx2: Lanes<Number = Self>;
-    /// Eight of them with the instructions that are always there.
+    /// A register that is always there.
     type Base: Lanes<Number = Self>;
     /// The nearest value.
     fn from_f64(x: f64) -> Self;
@@ -48,8 +57,10 @@ pub trait Real:
 }
 
 macro_rules! real {
-    ($t:ty, $avx2:ty, $sse2:ty, $simd128:ty) => {
+    ($t:ty, $avx512:ty, $avx2:ty, $sse2:ty, $simd128:ty) => {
         impl Real for $t {
+            #[cfg(target_arch = "x86_64")]
+            type Avx512 = $avx512;
             #[cfg(target_arch = "x86_64")]
             type Avx2 = $avx2;
             #[cfg(target_arch = "x86_64")]
@@ -57,7 +68,7 @@ macro_rules! real {
             #[cfg(all(target_arch = "wasm32", target_feature = "simd128"))]
             type Base = $simd128;
             #[cfg(not(any(target_arch = "x86_64", all(target_arch = "wasm32", target_feature = "simd128"))))]
-            type Base = portable::Wide<$t>;
+            type Base = portable::Plain<$t>;
             #[inline(always)]
             fn from_f64(x: f64) -> Self {
                 x as $t
@@ -73,23 +84,29 @@ macro_rules! real {
         }
     };
 }
-real!(f32, avx2::F32, sse2::F32, simd128::F32);
-real!(f64, avx2::F64, sse2::F64, simd128::F64);
+real!(f32, avx512::F32, avx2::F32, sse2::F32, simd128::F32);
+real!(f64, avx2::F64, avx2::F64, sse2::F64, simd128::F64);
 
-/// Eight numbers, one a lane.
+/// Several numbers, one a lane.
 pub trait Lanes:
-    Copy + Add<Output = Self> + Sub<Output = Self> + Mul<Output = Self> + Div<Output = Self> + Neg<Output = Self> + AddAssign + SubAssign
+    Copy + Add<Output = Self> + Sub<Output = Self> + Mul<Output = Self> + Div<Output = Self> + Neg<Output = Self> + AddAssign + SubAssign + Turn
 {
-    /// What a lane holds.
-    type Number: Real;
     /// A yes or no a lane.
     type Mask: Copy;
+    /// Number of lanes; divides [`LANES`].
+    const WIDTH: usize;
     /// The same number in all lanes.
     fn splat(x: Self::Number) -> Self;
-    /// From memory.
-    fn load(from: &[Self::Number; LANES]) -> Self;
-    /// To memory.
-    fn store(self, to: &mut [Self::Number; LANES]);
+    /// The part of a line that begins at [`Lanes::WIDTH`] * `part`.
+    ///
+    /// # Panics
+    /// Where the line has no such part.
+    fn load<const N: usize>(from: &[Self::Number; N], part: usize) -> Self;
+    /// To such a part.
+    ///
+    /// # Panics
+    /// As [`Lanes::load`].
+    fn store<const N: usize>(self, to: &mut [Self::Number; N], part: usize);
     /// Square roots.
     fn sqrt(self) -> Self;
     /// Where self < other; never where one is not a number.
@@ -100,8 +117,6 @@ pub trait Lanes:
     fn any(mask: Self::Mask) -> bool;
     /// Where both masks hold.
     fn both(a: Self::Mask, b: Self::Mask) -> Self::Mask;
-    /// Lane j of bundle i becomes lane i of bundle j.
-    fn transpose(rows: [Self; 8]) -> [Self; 8];
 
     /// The number in all lanes, from f64.
     #[inline(always)]
@@ -115,64 +130,223 @@ pub trait Lanes:
     }
 }
 
-/// Transposes eight bundles of two registers: four blocks of 4 x 4, of which the off-diagonal two change places.
-#[inline(always)]
-pub(crate) fn in_quarters<T: Copy>(rows: [[T; 2]; 8], quarter: impl Fn([T; 4]) -> [T; 4]) -> [[T; 2]; 8] {
-    let block = |first: usize, half: usize| quarter([0, 1, 2, 3].map(|i| rows[first + i][half]));
-    let (p, q, r, s) = (block(0, 0), block(0, 1), block(4, 0), block(4, 1));
-    std::array::from_fn(|i| if i < 4 { [p[i], r[i]] } else { [q[i - 4], s[i - 4]] })
+/// Between rows, each with the [`ROW`] numbers of one thing, and columns, each with one number of as many things as there are lanes.
+pub trait Turn: Sized {
+    /// What a lane holds.
+    type Number: Real;
+    /// A row in registers.
+    type Row: Row<Self::Number>;
+    /// Lane l of column i is number i of row l.
+    fn columns(row: impl FnMut(usize) -> Self::Row) -> [Self; ROW];
+    /// The other way round; the rows are handed out in the order of the lanes.
+    fn rows(columns: [Self; ROW], put: impl FnMut(usize, Self::Row));
 }
 
-/// The operators of a bundle that is made of several registers, each done part by part.
-macro_rules! operators {
-    ($t:ident $(<$r:ident>)?, |$a:ident, $b:ident| $add:expr, $sub:expr, $mul:expr, $div:expr, |$c:ident| $neg:expr) => {
-        impl $(<$r: $crate::lanes::Real>)? std::ops::Add for $t $(<$r>)? {
-            type Output = Self;
+/// A row as so many registers.
+#[derive(Debug, Clone, Copy)]
+pub struct Parts<L, const N: usize>(pub [L; N]);
+
+impl<L: Copy + Add<Output = L>, const N: usize> Add for Parts<L, N> {
+    type Output = Self;
+    #[inline(always)]
+    fn add(self, o: Self) -> Self {
+        Self(std::array::from_fn(|i| self.0[i] + o.0[i]))
+    }
+}
+
+impl<L: Copy + Sub<Output = L>, const N: usize> Sub for Parts<L, N> {
+    type Output = Self;
+    #[inline(always)]
+    fn sub(self, o: Self) -> Self {
+        Self(std::array::from_fn(|i| self.0[i] - o.0[i]))
+    }
+}
+
+/// A row that can be read and written.
+pub trait Row<R>: Copy + Add<Output = Self> + Sub<Output = Self> {
+    /// Zeros.
+    fn zero() -> Self;
+    /// From memory.
+    fn read(from: &[R; ROW]) -> Self;
+    /// To memory.
+    fn write(self, to: &mut [R; ROW]);
+}
+
+impl<L: Lanes, const N: usize> Row<L::Number> for Parts<L, N> {
+    #[inline(always)]
+    fn zero() -> Self {
+        Self([L::zero(); N])
+    }
+    #[inline(always)]
+    fn read(from: &[L::Number; ROW]) -> Self {
+        Self(std::array::from_fn(|i| L::load(from, i)))
+    }
+    #[inline(always)]
+    fn write(self, to: &mut [L::Number; ROW]) {
+        for (i, part) in self.0.into_iter().enumerate() {
+            part.store(to, i);
+        }
+    }
+}
+
+/// The first rows. The closure is called in one place, which lets the compiler put it there.
+#[inline(always)]
+pub(crate) fn collect<R, T: Row<R>, const N: usize>(mut row: impl FnMut(usize) -> T) -> [T; N] {
+    let mut rows = [T::zero(); N];
+    for (l, to) in rows.iter_mut().enumerate() {
+        *to = row(l);
+    }
+    rows
+}
+
+/// [`Turn`] for a register of four lanes, from the transposition of four registers.
+macro_rules! turn_fours {
+    ($t:ident, $number:ty, $transposed:ident) => {
+        impl $crate::lanes::Turn for $t {
+            type Number = $number;
+            type Row = $crate::lanes::Parts<Self, 2>;
             #[inline(always)]
-            fn add(self, o: Self) -> Self {
-                Self(std::array::from_fn(|i| { let ($a, $b) = (self.0[i], o.0[i]); $add }))
+            fn columns(row: impl FnMut(usize) -> Self::Row) -> [Self; 8] {
+                let [p, q, r, s]: [Self::Row; 4] = $crate::lanes::collect(row);
+                let [a, b, c, d] = $transposed([p.0[0].0, q.0[0].0, r.0[0].0, s.0[0].0]);
+                let [e, f, g, h] = $transposed([p.0[1].0, q.0[1].0, r.0[1].0, s.0[1].0]);
+                [Self(a), Self(b), Self(c), Self(d), Self(e), Self(f), Self(g), Self(h)]
+            }
+            #[inline(always)]
+            fn rows([a, b, c, d, e, f, g, h]: [Self; 8], mut put: impl FnMut(usize, Self::Row)) {
+                let low = $transposed([a.0, b.0, c.0, d.0]);
+                let high = $transposed([e.0, f.0, g.0, h.0]);
+                for l in 0..4 {
+                    put(l, $crate::lanes::Parts([Self(low[l]), Self(high[l])]));
+                }
             }
         }
-        impl $(<$r: $crate::lanes::Real>)? std::ops::Sub for $t $(<$r>)? {
-            type Output = Self;
+    };
+}
+pub(crate) use turn_fours;
+
+/// [`Turn`] for a register of two lanes, from the two interleavings of two registers.
+macro_rules! turn_twos {
+    ($t:ident, $number:ty, $low:expr, $high:expr) => {
+        impl $crate::lanes::Turn for $t {
+            type Number = $number;
+            type Row = $crate::lanes::Parts<Self, 4>;
             #[inline(always)]
-            fn sub(self, o: Self) -> Self {
-                Self(std::array::from_fn(|i| { let ($a, $b) = (self.0[i], o.0[i]); $sub }))
+            fn columns(row: impl FnMut(usize) -> Self::Row) -> [Self; 8] {
+                let [p, q]: [Self::Row; 2] = $crate::lanes::collect(row);
+                let ([a, b, c, d], [e, f, g, h]) = (p.0, q.0);
+                [
+                    Self($low(a.0, e.0)),
+                    Self($high(a.0, e.0)),
+                    Self($low(b.0, f.0)),
+                    Self($high(b.0, f.0)),
+                    Self($low(c.0, g.0)),
+                    Self($high(c.0, g.0)),
+                    Self($low(d.0, h.0)),
+                    Self($high(d.0, h.0)),
+                ]
+            }
+            #[inline(always)]
+            fn rows([a, b, c, d, e, f, g, h]: [Self; 8], mut put: impl FnMut(usize, Self::Row)) {
+                let rows = [
+                    [Self($low(a.0, b.0)), Self($low(c.0, d.0)), Self($low(e.0, f.0)), Self($low(g.0, h.0))],
+                    [Self($high(a.0, b.0)), Self($high(c.0, d.0)), Self($high(e.0, f.0)), Self($high(g.0, h.0))],
+                ];
+                for (l, row) in rows.into_iter().enumerate() {
+                    put(l, $crate::lanes::Parts(row));
+                }
             }
         }
-        impl $(<$r: $crate::lanes::Real>)? std::ops::Mul for $t $(<$r>)? {
-            type Output = Self;
-            #[inline(always)]
-            fn mul(self, o: Self) -> Self {
-                Self(std::array::from_fn(|i| { let ($a, $b) = (self.0[i], o.0[i]); $mul }))
-            }
-        }
-        impl $(<$r: $crate::lanes::Real>)? std::ops::Div for $t $(<$r>)? {
-            type Output = Self;
-            #[inline(always)]
-            fn div(self, o: Self) -> Self {
-                Self(std::array::from_fn(|i| { let ($a, $b) = (self.0[i], o.0[i]); $div }))
-            }
-        }
-        impl $(<$r: $crate::lanes::Real>)? std::ops::Neg for $t $(<$r>)? {
+    };
+}
+pub(crate) use turn_twos;
+
+/// A type that is one register, with [`Lanes`] from the machine's operations. Those may be unsafe because the machine might not have
+/// them: who uses the type has made sure that it does.
+macro_rules! register {
+    (
+        $(#[$doc:meta])*
+        $t:ident: $width:literal x $number:ty => $register:ty, mask $mask:ty;
+        $splat:expr; $load:expr; $store:expr; $sqrt:expr;
+        $add:expr; $sub:expr; $mul:expr; $div:expr; $neg:expr;
+        $less:expr; $select:expr; $any:expr; $both:expr
+    ) => {
+        $(#[$doc])*
+        #[derive(Debug, Clone, Copy)]
+        pub struct $t(pub(crate) $register);
+        $crate::lanes::register!(@ $t, Add, add, $add);
+        $crate::lanes::register!(@ $t, Sub, sub, $sub);
+        $crate::lanes::register!(@ $t, Mul, mul, $mul);
+        $crate::lanes::register!(@ $t, Div, div, $div);
+        impl std::ops::Neg for $t {
             type Output = Self;
             #[inline(always)]
             fn neg(self) -> Self {
-                Self(std::array::from_fn(|i| { let $c = self.0[i]; $neg }))
+                Self(unsafe { $neg(self.0) })
             }
         }
-        impl $(<$r: $crate::lanes::Real>)? std::ops::AddAssign for $t $(<$r>)? {
+        impl std::ops::AddAssign for $t {
             #[inline(always)]
             fn add_assign(&mut self, o: Self) {
                 *self = *self + o;
             }
         }
-        impl $(<$r: $crate::lanes::Real>)? std::ops::SubAssign for $t $(<$r>)? {
+        impl std::ops::SubAssign for $t {
             #[inline(always)]
             fn sub_assign(&mut self, o: Self) {
                 *self = *self - o;
             }
         }
+        #[allow(unused_unsafe, reason = "some operations are safe, such as those on masks that are numbers")]
+        impl $crate::lanes::Lanes for $t {
+            type Mask = $mask;
+            const WIDTH: usize = $width;
+            #[inline(always)]
+            fn splat(x: $number) -> Self {
+                Self(unsafe { $splat(x) })
+            }
+            #[inline(always)]
+            fn load<const N: usize>(from: &[$number; N], part: usize) -> Self {
+                assert!(part < N / $width);
+                // SAFETY: the part lies within the line; loads need no alignment
+                Self(unsafe { $load(from.as_ptr().add($width * part).cast()) })
+            }
+            #[inline(always)]
+            fn store<const N: usize>(self, to: &mut [$number; N], part: usize) {
+                assert!(part < N / $width);
+                // SAFETY: as for loads
+                unsafe { $store(to.as_mut_ptr().add($width * part).cast(), self.0) }
+            }
+            #[inline(always)]
+            fn sqrt(self) -> Self {
+                Self(unsafe { $sqrt(self.0) })
+            }
+            #[inline(always)]
+            fn less(self, other: Self) -> $mask {
+                unsafe { $less(self.0, other.0) }
+            }
+            #[inline(always)]
+            fn select(mask: $mask, yes: Self, no: Self) -> Self {
+                Self(unsafe { $select(mask, yes.0, no.0) })
+            }
+            #[inline(always)]
+            fn any(mask: $mask) -> bool {
+                unsafe { $any(mask) }
+            }
+            #[inline(always)]
+            fn both(a: $mask, b: $mask) -> $mask {
+                unsafe { $both(a, b) }
+            }
+        }
+    };
+    (@ $t:ident, $trait:ident, $name:ident, $op:expr) => {
+        impl std::ops::$trait for $t {
+            type Output = Self;
+            #[inline(always)]
+            fn $name(self, o: Self) -> Self {
+                Self(unsafe { $op(self.0, o.0) })
+            }
+        }
     };
 }
-pub(crate) use operators;
+pub(crate) use register;

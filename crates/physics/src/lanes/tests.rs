@@ -1,6 +1,6 @@
 //! Parity: every operation of every width gives the bits of the plain number.
 
-use super::{LANES, Lanes, Real, portable};
+use super::{LANES, Lanes, ROW, Real, Row, portable};
 
 /// Numbers that tell roundings, signs, zeros and infinities apart.
 fn samples<R: Real>() -> Vec<[R; LANES]> {
@@ -24,69 +24,124 @@ fn bits<R: Real>(x: [R; LANES]) -> [u64; LANES] {
     x.map(|x| if x.to_f64().is_nan() { u64::MAX } else { x.to_f64().to_bits() })
 }
 
-fn stored<L: Lanes>(x: L) -> [u64; LANES] {
+/// An operation on a line, part by part.
+fn each<L: Lanes>(x: &[L::Number; LANES], y: &[L::Number; LANES], op: impl Fn(L, L) -> L) -> [u64; LANES] {
     let mut out = [L::Number::default(); LANES];
-    x.store(&mut out);
+    for part in 0..LANES / L::WIDTH {
+        op(L::load(x, part), L::load(y, part)).store(&mut out, part);
+    }
     bits(out)
 }
 
-fn agree<L: Lanes, M: Lanes<Number = L::Number>>() {
+/// The same on each number alone.
+fn plain<R: Real>(x: &[R; LANES], y: &[R; LANES], op: impl Fn(R, R) -> R) -> [u64; LANES] {
+    bits(std::array::from_fn(|i| op(x[i], y[i])))
+}
+
+fn agrees<L: Lanes>() {
+    let zero = L::Number::default();
     let all = samples::<L::Number>();
     for (x, y) in all.iter().zip(all.iter().rev()) {
-        let (a, b) = (L::load(x), L::load(y));
-        let (c, d) = (M::load(x), M::load(y));
-        assert_eq!(stored(a + b), stored(c + d));
-        assert_eq!(stored(a - b), stored(c - d));
-        let (mut up, mut same, mut down, mut equal) = (a, c, a, c);
-        up += b;
-        same += d;
-        down -= b;
-        equal -= d;
-        assert_eq!((stored(up), stored(down)), (stored(same), stored(equal)));
-        assert_eq!(stored(a * b), stored(c * d));
-        assert_eq!(stored(a / b), stored(c / d));
-        assert_eq!(stored(-a), stored(-c));
-        assert_eq!(stored(a.sqrt()), stored(c.sqrt()));
-        assert_eq!(stored(L::select(a.less(b), a, b)), stored(M::select(c.less(d), c, d)));
-        let (both, same) = (L::both(a.less(b), L::zero().less(a)), M::both(c.less(d), M::zero().less(c)));
-        assert_eq!(stored(L::select(both, a, b)), stored(M::select(same, c, d)));
-        assert_eq!(L::any(a.less(b)), M::any(c.less(d)));
-        assert_eq!(stored(L::splat(x[3])), stored(M::splat(x[3])));
+        assert_eq!(each::<L>(x, y, |a, b| a + b), plain(x, y, |a, b| a + b));
+        assert_eq!(each::<L>(x, y, |a, b| a - b), plain(x, y, |a, b| a - b));
+        assert_eq!(each::<L>(x, y, |a, b| a * b), plain(x, y, |a, b| a * b));
+        assert_eq!(each::<L>(x, y, |a, b| a / b), plain(x, y, |a, b| a / b));
+        assert_eq!(each::<L>(x, y, |a, _| -a), plain(x, y, |a, _| -a));
+        assert_eq!(each::<L>(x, y, |a, _| a.sqrt()), plain(x, y, |a, _| a.sqrt()));
+        let add_assigned = |mut a: L, b: L| {
+            a += b;
+            a
+        };
+        let sub_assigned = |mut a: L, b: L| {
+            a -= b;
+            a
+        };
+        assert_eq!(each::<L>(x, y, add_assigned), plain(x, y, |a, b| a + b));
+        assert_eq!(each::<L>(x, y, sub_assigned), plain(x, y, |a, b| a - b));
+        assert_eq!(each::<L>(x, y, |a, b| L::select(a.less(b), a, b)), plain(x, y, |a, b| if a < b { a } else { b }));
+        let between = |a: L, b: L| L::select(L::both(a.less(b), L::zero().less(a)), a, b);
+        assert_eq!(each::<L>(x, y, between), plain(x, y, |a, b| if a < b && zero < a { a } else { b }));
+        for part in 0..LANES / L::WIDTH {
+            let lanes = L::WIDTH * part..L::WIDTH * (part + 1);
+            let any = L::any(L::load(x, part).less(L::load(y, part)));
+            assert_eq!(any, lanes.into_iter().any(|i| x[i] < y[i]));
+        }
+        assert_eq!(each::<L>(x, y, |_, _| L::splat(x[3])), bits([x[3]; LANES]));
     }
-    assert_eq!((stored(L::zero()), stored(L::number(0.1))), (stored(M::zero()), stored(M::number(0.1))));
-    assert!(!L::any(L::zero().less(L::zero())));
+    let x = &all[0];
+    assert_eq!(each::<L>(x, x, |_, _| L::zero()), bits([zero; LANES]));
+    assert_eq!(each::<L>(x, x, |_, _| L::number(0.1)), bits([L::Number::from_f64(0.1); LANES]));
     for lane in 0..LANES {
         // a mask that holds in one lane alone
-        let one = std::array::from_fn(|i| L::Number::from_f64(if i == lane { -1.0 } else { 1.0 }));
-        let mask = L::load(&one).less(L::zero());
-        assert!(L::any(mask) && L::any(L::both(mask, mask)) && !L::any(L::both(mask, L::zero().less(L::load(&one)))));
-        assert_eq!(
-            stored(L::select(mask, L::number(3.0), L::number(4.0))),
-            bits(one.map(|x| if x < L::Number::from_f64(0.0) { 3.0 } else { 4.0 }))
-        );
+        let one: [L::Number; LANES] = std::array::from_fn(|i| L::Number::from_f64(if i == lane { -1.0 } else { 1.0 }));
+        for part in 0..LANES / L::WIDTH {
+            let (there, mask) = (lane / L::WIDTH == part, L::load(&one, part).less(L::zero()));
+            assert_eq!(L::any(mask), there);
+            assert_eq!(L::any(L::both(mask, mask)), there);
+            assert!(!L::any(L::both(mask, L::zero().less(L::load(&one, part)))));
+        }
     }
-    for rows in all.chunks_exact(8) {
-        let (one, two) =
-            (L::transpose(std::array::from_fn(|i| L::load(&rows[i]))), M::transpose(std::array::from_fn(|i| M::load(&rows[i]))));
-        for i in 0..8 {
-            assert_eq!(stored(one[i]), stored(two[i]));
-            assert_eq!(stored(one[i]), bits(std::array::from_fn(|j| rows[j][i])));
+    for rows in all.chunks_exact(LANES) {
+        let row = |l: usize| -> [L::Number; ROW] { std::array::from_fn(|i| rows[l][i]) };
+        let columns = L::columns(|l| L::Row::read(&row(l)));
+        for (i, column) in columns.into_iter().enumerate() {
+            let mut out = [zero; LANES];
+            column.store(&mut out, 0);
+            assert_eq!(bits(out)[..L::WIDTH], bits(std::array::from_fn(|l| if l < L::WIDTH { rows[l][i] } else { zero }))[..L::WIDTH]);
+        }
+        let mut order = Vec::new();
+        L::rows(columns, |l, back| {
+            let mut out = [zero; ROW];
+            back.write(&mut out);
+            assert_eq!(out.map(|x| x.to_f64().to_bits()), row(l).map(|x| x.to_f64().to_bits()));
+            order.push(l);
+        });
+        assert_eq!(order, (0..L::WIDTH).collect::<Vec<_>>());
+        let (a, b) = (L::Row::read(&row(0)), L::Row::read(&row(1)));
+        let mut sums = [[zero; ROW]; 2];
+        (a + b).write(&mut sums[0]);
+        (a - b).write(&mut sums[1]);
+        for i in 0..ROW {
+            let (x, y) = (row(0)[i], row(1)[i]);
+            let same =
+                |x: L::Number, y: L::Number| x.to_f64().to_bits() == y.to_f64().to_bits() || x.to_f64().is_nan() && y.to_f64().is_nan();
+            assert!(same(sums[0][i], x + y) && same(sums[1][i], x - y));
         }
     }
 }
 
 #[test]
-fn all_widths_give_the_same_bits() {
-    agree::<<f32 as Real>::Base, portable::Wide<f32>>();
-    agree::<<f64 as Real>::Base, portable::Wide<f64>>();
-    #[cfg(target_arch = "x86_64")]
+fn all_widths_give_the_bits_of_the_plain_number() {
+    agrees::<portable::Plain<f32>>();
+    agrees::<portable::Plain<f64>>();
+    agrees::<<f32 as Real>::Base>();
+    agrees::<<f64 as Real>::Base>();
+}
+
+#[cfg(target_arch = "x86_64")]
+#[test]
+fn avx2_gives_the_bits_of_the_plain_number() {
+    #[target_feature(enable = "avx2")]
+    fn wide() {
+        agrees::<<f32 as Real>::Avx2>();
+        agrees::<<f64 as Real>::Avx2>();
+    }
     if std::is_x86_feature_detected!("avx2") {
-        #[target_feature(enable = "avx2")]
-        fn wide() {
-            agree::<<f32 as Real>::Avx2, portable::Wide<f32>>();
-            agree::<<f64 as Real>::Avx2, portable::Wide<f64>>();
-        }
         // SAFETY: the processor has AVX2.
         unsafe { wide() }
+    }
+}
+
+#[cfg(target_arch = "x86_64")]
+#[test]
+fn avx512_gives_the_bits_of_the_plain_number() {
+    #[target_feature(enable = "avx512f,avx512vl,avx512dq,avx512bw")]
+    fn widest() {
+        agrees::<<f32 as Real>::Avx512>();
+        agrees::<<f64 as Real>::Avx512>();
+    }
+    if super::avx512::available() {
+        // SAFETY: the processor has it.
+        unsafe { widest() }
     }
 }

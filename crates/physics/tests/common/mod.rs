@@ -20,6 +20,7 @@ pub fn blocks(at: &[[f64; 3]]) -> Scene {
         friction: 0.4,
         kinetic_friction: None,
         restitution: 0.5,
+        stiffness: 1e6,
         blocks: blocks.collect(),
         label: None,
         margin: None,

@@ -8,7 +8,6 @@ use std::process::ExitCode;
 
 use rayon::prelude::*;
 use teeter_cost::{Baseline, COMPILER, Count, Fault, Workload, compare, counted};
-use teeter_physics::Width;
 
 fn main() -> ExitCode {
     let args: Vec<String> = std::env::args().skip(1).collect();
@@ -72,15 +71,8 @@ fn accept(file: &Path, reason: &str) -> Result<(), Fault> {
 /// The workloads that this processor can play, and the names of the others: it would take narrower registers for them, and the count would
 /// be that of another program.
 fn playable() -> Result<(Vec<Workload>, Vec<String>), Fault> {
-    let (playable, others): (Vec<_>, Vec<_>) = counted()?.into_iter().partition(|workload| has(workload.params.width));
+    let (playable, others): (Vec<_>, Vec<_>) = counted()?.into_iter().partition(|workload| workload.params.width.available());
     Ok((playable, others.into_iter().map(|workload| workload.name).collect()))
-}
-
-fn has(width: Width) -> bool {
-    #[cfg(target_arch = "x86_64")]
-    return width != Width::Avx2 || std::is_x86_feature_detected!("avx2");
-    #[cfg(not(target_arch = "x86_64"))]
-    return matches!(width, Width::Auto | Width::Portable);
 }
 
 /// Counts all of them, as many side by side as there are cores: a count does not depend on what runs beside it.
