@@ -101,8 +101,7 @@ fn agrees<L: Lanes>() {
         let mut sums = [[zero; ROW]; 2];
         (a + b).write(&mut sums[0]);
         (a - b).write(&mut sums[1]);
-        for i in 0..ROW {
-            let (x, y) = (row(0)[i], row(1)[i]);
+        for (i, (x, y)) in row(0).into_iter().zip(row(1)).enumerate() {
             let same =
                 |x: L::Number, y: L::Number| x.to_f64().to_bits() == y.to_f64().to_bits() || x.to_f64().is_nan() && y.to_f64().is_nan();
             assert!(same(sums[0][i], x + y) && same(sums[1][i], x - y));
