@@ -45,7 +45,8 @@ impl Field {
         });
         let frames: Vec<f64> = frames.collect();
         let hash = self.worlds.iter().fold(0, |all: u64, world| all.rotate_left(1) ^ world.hash());
-        Ok(Stretch { cpu: frames.iter().sum(), frames, hash: hex(hash) })
+        // what several threads did is told by the clock on the wall alone
+        Ok(Stretch { cpu: f64::NAN, frames, hash: hex(hash) })
     }
 }
 

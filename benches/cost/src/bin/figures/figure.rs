@@ -62,7 +62,8 @@ pub fn figures(timed: &[Timed]) -> Vec<Figure> {
     let of = |what: &str, way: &str| timed.iter().find(|t| t.what == what && t.way == way).expect("everything on the list is timed");
     let native = |what: &str| of(what, NATIVE);
     vec![
-        frame("full tower awake, a frame of 1/60 s, native", native(AWAKE)),
+        frame("full tower awake, a frame, native", native(AWAKE)),
+        frame("the same in registers no wider than AVX2", of(AWAKE, AVX2)),
         ratio("full tower awake, WebAssembly with simd128 over native", AtMost(2.2), of(AWAKE, SIMD128), native(AWAKE)),
         ratio("full tower awake, WebAssembly without simd128 over native", AtMost(5.0), of(AWAKE, SCALAR), native(AWAKE)),
         worst("full collapse, worst frame, native", AtMost(8.0), native(COLLAPSE)),
@@ -71,7 +72,8 @@ pub fn figures(timed: &[Timed]) -> Vec<Figure> {
         worst("six lowest rows knocked out, worst frame, WebAssembly", AtMost(16.0), of(HIT_LOW, SIMD128)),
         worst("collapse of 40 rows, worst frame, native", Goal::None, native(TALL)),
         ratio("tower asleep over awake", AtMost(1.0), native(ASLEEP), native(AWAKE)).times(100.0, " %"),
-        ratio("cost of a block, 60 rows over 6 rows", AtMost(1.15), native(ROWS_60), native(ROWS_6)).times(0.1, ""),
+        ratio("cost of a block, 60 rows at rest over 6 rows", AtMost(1.15), native(ROWS_60), native(ROWS_6)).times(0.1, ""),
+        ratio("cost of a block, 60 rows that sway over 6 rows", Goal::None, native(SWAYING), native(ROWS_6)).times(0.1, ""),
         speedup("64 worlds of a tower each, two threads over one", AtLeast(1.9), of(WORLDS, ONE_THREAD), of(WORLDS, TWO_THREADS)),
     ]
 }

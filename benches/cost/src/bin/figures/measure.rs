@@ -4,7 +4,7 @@ use std::cell::RefCell;
 use std::rc::Rc;
 
 use teeter_cost::{Clocked, Fault, Node, Stretch, Workload, swept};
-use teeter_physics::Precision;
+use teeter_physics::{Precision, Width};
 
 use crate::field::{Field, threads};
 
@@ -17,8 +17,10 @@ pub mod name {
     pub const TALL: &str = "collapse of 40 rows";
     pub const ROWS_6: &str = "6 rows";
     pub const ROWS_60: &str = "60 rows";
+    pub const SWAYING: &str = "swaying";
     pub const WORLDS: &str = "64 worlds";
     pub const NATIVE: &str = "native";
+    pub const AVX2: &str = "native, AVX2";
     pub const SIMD128: &str = "simd128";
     pub const SCALAR: &str = "scalar";
     pub const ONE_THREAD: &str = "one thread";
@@ -57,6 +59,7 @@ pub fn all() -> Result<Vec<Timed>, Fault> {
         (name::TALL, swept(name::TALL, 40, 2..4, 2.0)?, 0),
         (name::ROWS_6, Workload::awake(6, 1e6, Precision::Single)?, 0),
         (name::ROWS_60, Workload::awake(60, 1e6, Precision::Single)?, 0),
+        (name::SWAYING, Workload::swaying()?, 0),
     ];
     for (what, workload, in_wasm) in &workloads {
         eprintln!("{what} settles");
@@ -68,6 +71,8 @@ pub fn all() -> Result<Vec<Timed>, Fault> {
             timed.push(Timed::new(what, build, move || node.borrow_mut().play(number)));
         }
     }
+    let mut clocked = Clocked::new(&Workload::awake(18, 1e6, Precision::Single)?.in_width(Width::Avx2))?;
+    timed.push(Timed::new(name::AWAKE, name::AVX2, move || clocked.play()));
     eprintln!("{} settle", name::WORLDS);
     let field = Field::new()?;
     for (way, count) in [(name::ONE_THREAD, 1), (name::TWO_THREADS, 2)] {

@@ -23,13 +23,18 @@ pub fn markdown(figures: &[Figure], rounds: usize) -> String {
         let met = figure.goal.met(figure.value()).map_or("", |met| if met { "yes" } else { "no" });
         let [low, _, high] = figure.quartiles;
         let Figure { of, hash, .. } = figure;
-        writeln!(text, "| {of} | {goal} | {:.2}{unit} ({low:.2} to {high:.2}) | {met} | {hash} |", figure.value())
-            .expect("a string takes all");
+        let (value, low, high) = (short(figure.value()), short(low), short(high));
+        writeln!(text, "| {of} | {goal} | {value}{unit} ({low} to {high}) | {met} | {hash} |").expect("a string takes all");
     }
     let node = std::process::Command::new("node").arg("--version").output();
     let node = node.map_or(String::new(), |told| String::from_utf8_lossy(&told.stdout).trim().to_owned());
     write!(text, "\n{}, {COMPILER}, node {node}, {rounds} rounds.", processor()).expect("a string takes all");
     text
+}
+
+/// Three digits or a little more.
+fn short(value: f64) -> String {
+    if value < 10.0 { format!("{value:.3}") } else { format!("{value:.1}") }
 }
 
 /// Name of the processor, as the system gives it.
