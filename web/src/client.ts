@@ -1,6 +1,6 @@
 // The page's end of the worker.
 
-import type { Answer, Built, Frame, FromWorker, Question, SceneEntry, SceneSource, ToWorker, Wish } from './protocol';
+import type { Answer, Built, Frame, FromWorker, Question, SceneEntry, Setup, ToWorker, Wish } from './protocol';
 
 export interface Listener {
   scenes(list: SceneEntry[]): void;
@@ -28,8 +28,8 @@ export class Client {
     this.worker.onerror = event => listener.failed(event.message || 'the worker did not start');
   }
 
-  build(source: SceneSource, sleep: boolean): void {
-    this.send({ type: 'build', world: ++this.world, source, sleep });
+  build(setup: Setup): void {
+    this.send({ type: 'build', world: ++this.world, setup });
   }
 
   hand(wish: Wish | null): void {

@@ -1,6 +1,6 @@
 // `window.teeter`: a look into the page for tests and the curious. Nothing here changes anything.
 
-import type { Contact } from './protocol';
+import type { Contact, Stiffness } from './protocol';
 
 export interface Inspect {
   readonly ready: boolean;
@@ -14,6 +14,7 @@ export interface Inspect {
   readonly paused: boolean;
   readonly count: number;
   readonly quality: string;
+  readonly stiffness: Stiffness;
   /** Seven numbers a body: position (m), orientation (x, y, z, w). */
   readonly poses: number[];
   /** Three numbers a body, m. */

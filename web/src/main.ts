@@ -11,7 +11,7 @@ import { Orbit } from './orbit';
 import { Blend, Rate } from './pacing';
 import { Panel, SLOW } from './panel';
 import { Pointers } from './pointers';
-import { FRAME, type Built, type Frame, type SceneSource } from './protocol';
+import { FRAME, type Built, type Frame, type Setup, type Stiffness } from './protocol';
 import { Quality, TIERS } from './quality';
 import { readOptions } from './query';
 import { Ring } from './ring';
@@ -56,12 +56,12 @@ function start(): void {
   let paused = false;
   let slow = false;
   let slowSince = 0;
-  let source: SceneSource;
+  let stiffness: Stiffness = { value: 0, chosen: false };
 
   const client = new Client({
     scenes(list) {
       panel.setScenes(list, options.scene);
-      build(panel.source(), panel.sleeping);
+      build(panel.setup());
     },
     built,
     frame: arrive,
@@ -73,7 +73,7 @@ function start(): void {
 
   const panel = new Panel(options, {
     build,
-    reset: () => build(source, panel.sleeping),
+    reset: () => build(panel.setup()),
     pause: setPaused,
     mode(mode) {
       hand.mode = mode;
@@ -99,16 +99,17 @@ function start(): void {
     busy: () => panel.busy(),
   });
 
-  function build(next: SceneSource, sleep: boolean): void {
-    source = next;
+  function build(setup: Setup): void {
     hand.letGo();
-    client.build(next, sleep);
+    client.build(setup);
   }
 
   function built(world: Built): void {
     const first = bodies === null;
     bodies = new Bodies(world.sizes, world.poses);
     verdict = new Verdict(world.poses);
+    stiffness = world.stiffness;
+    panel.setStiffness(stiffness);
     state = 'standing';
     last = null;
     slow = false;
@@ -287,6 +288,9 @@ function start(): void {
     },
     get count() {
       return bodies?.count ?? 0;
+    },
+    get stiffness() {
+      return stiffness;
     },
     get quality() {
       return quality.tier.name;

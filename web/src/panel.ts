@@ -1,12 +1,13 @@
 // Controls and readouts. It knows no physics: it calls what main gives it, and shows what main tells it.
 
 import type { Mode } from './hand';
-import type { BlockPreset, SceneEntry, SceneSource } from './protocol';
+import { STIFFNESSES } from './device';
+import type { BlockPreset, SceneEntry, SceneSource, Setup, Stiffness } from './protocol';
 import { CAP, MOST_SEED, ROWS, type Options } from './query';
 import type { State } from './verdict';
 
 export interface Actions {
-  build(source: SceneSource, sleep: boolean): void;
+  build(setup: Setup): void;
   reset(): void;
   pause(paused: boolean): void;
   mode(mode: Mode): void;
@@ -45,6 +46,7 @@ export class Panel {
   private readonly block = get<HTMLSelectElement>('block');
   private readonly seed = get<HTMLInputElement>('seed');
   private readonly cap = get<HTMLInputElement>('cap');
+  private readonly stiffness = get<HTMLSelectElement>('stiffness');
   private readonly sleep = get<HTMLInputElement>('sleep');
   private readonly pause = get<HTMLButtonElement>('pause');
   private readonly help = get<HTMLDialogElement>('help');
@@ -60,6 +62,7 @@ export class Panel {
     this.block.value = options.block;
     this.seed.value = String(options.seed);
     this.sleep.checked = options.sleep;
+    this.setStiffnesses(options.stiffness);
     this.cap.min = String(CAP.least);
     this.cap.max = String(CAP.most);
     this.cap.value = String(options.cap);
@@ -77,13 +80,18 @@ export class Panel {
     this.showValues();
   }
 
-  source(): SceneSource {
+  setup(): Setup {
+    return { source: this.source(), sleep: this.sleep.checked, stiffness: Number(this.stiffness.value) || null };
+  }
+
+  private source(): SceneSource {
     if (this.scene.value) return { kind: 'named', name: this.scene.value };
     return { kind: 'tower', rows: Number(this.rows.value), seed: this.seedValue(), block: this.block.value as BlockPreset };
   }
 
-  get sleeping(): boolean {
-    return this.sleep.checked;
+  /** Tells the stiffness that was chosen for the tower; one that the player chose stands in the list. */
+  setStiffness({ value, chosen }: Stiffness): void {
+    put('stiffness-value', chosen ? `${newtonsPerMillimetre(value)}, chosen for this device.` : '');
   }
 
   setMode(mode: Mode): void {
@@ -136,10 +144,11 @@ export class Panel {
 
   private wire(): void {
     const { actions } = this;
-    const rebuild = () => actions.build(this.source(), this.sleep.checked);
+    const rebuild = () => actions.build(this.setup());
     for (const input of [this.rows, this.cap]) input.addEventListener('input', () => this.showValues());
     this.rows.addEventListener('change', rebuild);
     this.block.addEventListener('change', rebuild);
+    this.stiffness.addEventListener('change', rebuild);
     this.sleep.addEventListener('change', rebuild);
     this.scene.addEventListener('change', () => {
       this.showValues();
@@ -179,6 +188,13 @@ export class Panel {
     });
   }
 
+  /** Those that the device chooses from, and the one that the address names. */
+  private setStiffnesses(named: number | null): void {
+    const all = named === null || STIFFNESSES.includes(named) ? STIFFNESSES : [...STIFFNESSES, named].sort((a, b) => a - b);
+    this.stiffness.append(...all.map(k => new Option(newtonsPerMillimetre(k), String(k))));
+    this.stiffness.value = named === null ? '' : String(named);
+  }
+
   private togglePanel(open: boolean): void {
     this.panel.hidden = !open;
     this.settings.setAttribute('aria-expanded', String(open));
@@ -202,6 +218,10 @@ export class Panel {
 function put(id: string, text: string): void {
   const element = get(id);
   if (element.textContent !== text) element.textContent = text;
+}
+
+function newtonsPerMillimetre(stiffness: number): string {
+  return `${stiffness / 1000} N/mm`;
 }
 
 function capital(text: string): string {

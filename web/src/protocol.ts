@@ -13,6 +13,23 @@ export type BlockPreset = 'dissertation' | 'official';
 /** What to build a world from. */
 export type SceneSource = { kind: 'tower'; rows: number; seed: number; block: BlockPreset } | { kind: 'named'; name: string };
 
+/** What to build, and how. */
+export interface Setup {
+  source: SceneSource;
+  /** Whether resting blocks may sleep. */
+  sleep: boolean;
+  /** Stiffness of the contacts, N/m; null for the stiffest that the device holds in real time. */
+  stiffness: number | null;
+}
+
+/** Stiffness of the contacts of a tower. */
+export interface Stiffness {
+  /** N/m. */
+  value: number;
+  /** Whether it was chosen for the device. */
+  chosen: boolean;
+}
+
 export interface SceneEntry {
   name: string;
   title: string;
@@ -97,13 +114,14 @@ export interface Built {
   /** Edge lengths, three numbers a body, m. */
   sizes: Float32Array;
   poses: Float32Array;
+  stiffness: Stiffness;
 }
 
 export type Question = { what: 'hash' } | { what: 'contacts'; body: number };
 export type Answer<Q extends Question> = Q extends { what: 'hash' } ? { hash: string; time: number } : Contact[];
 
 export type ToWorker =
-  | { type: 'build'; world: number; source: SceneSource; sleep: boolean }
+  | { type: 'build'; world: number; setup: Setup }
   | { type: 'hand'; world: number; wish: Wish | null }
   | { type: 'pause'; paused: boolean }
   | { type: 'ask'; id: number; question: Question };

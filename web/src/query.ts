@@ -10,6 +10,8 @@ export interface Options {
   /** Name of a scene of the list; null for the tower. */
   scene: string | null;
   sleep: boolean;
+  /** Stiffness of the contacts, N/m; null for the stiffest that the device holds in real time. */
+  stiffness: number | null;
   /** Largest force of the hand, N. */
   cap: number;
   /** `once`: one picture a second. */
@@ -24,6 +26,8 @@ export interface Options {
 
 export const ROWS = { least: 3, most: 40 };
 export const CAP = { least: 1, most: 8 };
+/** What the engine takes, N/m. */
+export const STIFFNESS = { least: 1e4, most: 1e8 };
 export const MOST_SEED = 2 ** 32 - 1;
 
 function number(text: string | null, usual: number, least: number, most: number): number {
@@ -42,6 +46,7 @@ export function readOptions(search: string): Options {
     block: query.get('block') === 'official' ? 'official' : 'dissertation',
     scene: query.get('scene'),
     sleep: query.get('sleep') !== '0',
+    stiffness: number(query.get('stiffness'), 0, STIFFNESS.least, STIFFNESS.most) || null,
     cap: number(query.get('cap'), 4, CAP.least, CAP.most),
     render: query.get('render') === 'once' ? 'once' : 'always',
     scale: number(query.get('scale'), small ? 0.5 : 1, 0.1, 1),

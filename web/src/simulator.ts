@@ -5,6 +5,12 @@ import { FRAME, POSE_STRIDE, type Contact, type HandState, type Quat, type Scene
 import { add, length, rotate } from './vectors';
 import { Simulation, namedScene, towerScene } from './wasm/teeter_wasm.js';
 
+/** What is touched here of a scene. */
+interface Scene {
+  blocks: unknown[];
+  stiffness: number;
+}
+
 interface StepReport {
   time: number;
   awake: number;
@@ -24,9 +30,15 @@ export interface Step {
 /** Part of the largest force from which the hand counts as giving all it has. */
 const SPENT = 0.98;
 
-export function sceneText(source: SceneSource): string {
-  if (source.kind === 'named') return namedScene(source.name);
-  return towerScene(JSON.stringify({ rows: source.rows, seed: source.seed, block: source.block }));
+/** The scene as JSON, with the stiffness that `choose` gives for its number of blocks, N/m. Throws an Error whose message is for the user. */
+export function sceneText(source: SceneSource, choose: (blocks: number) => number): string {
+  const text =
+    source.kind === 'named'
+      ? namedScene(source.name)
+      : towerScene(JSON.stringify({ rows: source.rows, seed: source.seed, block: source.block }));
+  const scene = JSON.parse(text) as Scene;
+  scene.stiffness = choose(scene.blocks.length);
+  return JSON.stringify(scene);
 }
 
 export class Simulator {
@@ -49,6 +61,16 @@ export class Simulator {
 
   free(): void {
     this.simulation.free();
+  }
+
+  /** Number of bodies. */
+  get length(): number {
+    return this.simulation.length;
+  }
+
+  /** Stiffness of the contacts, N/m. */
+  get stiffness(): number {
+    return this.simulation.stiffness;
   }
 
   sizes(): Float32Array {

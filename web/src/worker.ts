@@ -1,8 +1,10 @@
 // The worker: owns the world, keeps it in step with the wall clock, and sends one message a step.
 
+import { Device } from './device';
 import { Pace, Speedometer } from './pacing';
 import { FRAME, type FromWorker, type Question, type SceneEntry, type ToWorker } from './protocol';
 import { Simulator, sceneText } from './simulator';
+import { trial } from './trial';
 import load, { sceneList } from './wasm/teeter_wasm.js';
 
 /** Time that may be owed before simulated time slows, s: rides out a hiccup of the machine. */
@@ -19,6 +21,7 @@ let timer: number | null = null;
 let queued = false;
 const pace = new Pace(FRAME, MOST_DEBT);
 const speedometer = new Speedometer();
+const device = new Device(() => trial(seconds));
 
 // A message to oneself comes back at once but after the messages of the page: a hand is never starved, and no timer is clamped to 4 ms.
 const soon = new MessageChannel();
@@ -51,6 +54,7 @@ function step(simulator: Simulator): void {
   const { report, hand, handDone } = simulator.step();
   const after = seconds();
   speedometer.add(after, FRAME, after - before);
+  device.played(after - before, simulator.length, simulator.stiffness);
   const poses = simulator.poses();
   send(
     {
@@ -83,9 +87,14 @@ function restart(): void {
 
 /** Builds the world that is asked for; where that fails the old one goes on. */
 function build(order: Extract<ToWorker, { type: 'build' }>): void {
+  const { source, sleep, stiffness } = order.setup;
   let next: Simulator;
   try {
-    next = new Simulator(sceneText(order.source), order.sleep, memory);
+    next = new Simulator(
+      sceneText(source, blocks => stiffness ?? device.choose(blocks)),
+      sleep,
+      memory,
+    );
   } catch (error) {
     send({ type: 'refused', world: order.world, message: text(error) });
     return;
@@ -93,7 +102,14 @@ function build(order: Extract<ToWorker, { type: 'build' }>): void {
   simulator?.free();
   simulator = next;
   world = order.world;
-  send({ type: 'built', world, sizes: next.sizes(), poses: next.poses() });
+  device.begin();
+  send({
+    type: 'built',
+    world,
+    sizes: next.sizes(),
+    poses: next.poses(),
+    stiffness: { value: next.stiffness, chosen: stiffness === null },
+  });
   restart();
 }
 

@@ -2,7 +2,8 @@
 
 import type { Page } from 'playwright-core';
 import { afterAll, beforeAll, expect, test } from 'vitest';
-import { host, Session, SMALL, ways, type Host } from './browser';
+import { STIFFNESSES } from '../../src/device';
+import { host, MEASURED, Session, SMALL, ways, type Host } from './browser';
 
 let chrome: Host;
 beforeAll(async () => {
@@ -63,26 +64,101 @@ test('the tower stands ten seconds, awake', async () => {
   expect(session.complaints).toEqual([]);
 });
 
+/** States of a tower of six rows in its first seconds, asked for as they come: hashes by time. */
+async function states(session: Session, until: number): Promise<Map<string, string>> {
+  const found = await session.page.evaluate(async end => {
+    const found: [string, string][] = [];
+    while (window.teeter.time < end) {
+      const { hash, time } = await window.teeter.hash();
+      found.push([time.toFixed(4), hash]);
+      await new Promise(resolve => setTimeout(resolve, 4));
+    }
+    return found;
+  }, until);
+  return new Map(found);
+}
+
+const SIX_ROWS = 'rows=6&seed=5&sleep=0&render=once';
+
 test('the same seed and no hand give the same states', async () => {
-  // States are asked for as they come; those of equal time are compared.
   const runs: Map<string, string>[] = [];
   for (let run = 0; run < 2; run++) {
-    await using session = await Session.open(chrome, `${SMALL}&rows=6&seed=5&sleep=0&render=once`);
-    const states = await session.page.evaluate(async () => {
-      const found: [string, string][] = [];
-      while (window.teeter.time < 3) {
-        const { hash, time } = await window.teeter.hash();
-        found.push([time.toFixed(4), hash]);
-        await new Promise(resolve => setTimeout(resolve, 4));
-      }
-      return found;
-    });
-    runs.push(new Map(states));
+    await using session = await Session.open(chrome, `${SMALL}&${SIX_ROWS}`);
+    runs.push(await states(session, 3));
   }
   const common = [...runs[0].keys()].filter(time => runs[1].has(time));
   expect(common.length).toBeGreaterThan(30);
   expect(common.map(time => runs[1].get(time))).toEqual(common.map(time => runs[0].get(time)));
   expect(new Set(runs[0].values()).size, 'states differ from time to time').toBeGreaterThan(30);
+});
+
+test('the stiffness that the page chose is shown, and is all that the choice means for the tower', async () => {
+  const open = async (query: string) => {
+    await using session = await Session.open(chrome, `${MEASURED}&${SIX_ROWS}${query}`);
+    const { page } = session;
+    const stiffness = await page.evaluate(() => window.teeter.stiffness);
+    const [shown, selected] = [await page.textContent('#stiffness-value'), await page.inputValue('#stiffness')];
+    const told = { stiffness, shown, selected, states: await states(session, 2) };
+    expect(session.complaints).toEqual([]);
+    return told;
+  };
+  const own = await open('');
+  const { value } = own.stiffness;
+  expect(STIFFNESSES).toContain(value);
+  expect(own).toMatchObject({ stiffness: { chosen: true }, shown: `${value / 1000} N/mm, chosen for this device.`, selected: '' });
+  for (const stiffness of STIFFNESSES) {
+    const named = await open(`&stiffness=${stiffness}`);
+    expect(named).toMatchObject({
+      stiffness: { value: stiffness, chosen: false },
+      shown: '',
+      selected: String(stiffness),
+    });
+    const common = [...own.states.keys()].filter(time => named.states.has(time));
+    expect(common.length).toBeGreaterThan(20);
+    const equal = common.filter(time => own.states.get(time) === named.states.get(time));
+    expect(equal, `times of equal states at ${stiffness} N/m`).toEqual(stiffness === value ? common : []);
+  }
+});
+
+/** A device that is so many times as slow: all that its worker does takes so many times as long by the worker's clock. */
+const slower = (times: number) => (page: Page) =>
+  page.route('**/worker-*.js', async route => {
+    const response = await route.fetch();
+    const clock = `{ const now = performance.now.bind(performance); performance.now = () => ${times} * now(); }`;
+    await route.fulfill({ response, body: `${clock}\n${await response.text()}` });
+  });
+
+test.each([
+  [40, 3e5],
+  [0.1, 3e6],
+])('a device that is %f times as slow gets contacts of %f N/m', async (times, expected) => {
+  await using session = await Session.open(chrome, `${MEASURED}&render=once`, { before: slower(times) });
+  expect(await session.page.evaluate(() => window.teeter.stiffness)).toEqual({ value: expected, chosen: true });
+  expect(session.complaints).toEqual([]);
+});
+
+test("the player can choose another stiffness, which stays until the choice is the page's again", async () => {
+  await using session = await Session.open(chrome, `${SMALL}&rows=6&render=once`);
+  const { page } = session;
+  const built = (stiffness: { value?: number; chosen: boolean }) =>
+    page.waitForFunction(
+      want =>
+        window.teeter.stiffness.chosen === want.chosen && (want.value ?? window.teeter.stiffness.value) === window.teeter.stiffness.value,
+      stiffness,
+    );
+  await page.click('#settings');
+  await page.selectOption('#stiffness', { label: '300 N/mm' });
+  await built({ value: 3e5, chosen: false });
+  expect(await page.textContent('#stiffness-value')).toBe('');
+  await page.click('#new-seed');
+  await session.simulate(0.5);
+  await page.click('#reset');
+  await page.waitForFunction(() => window.teeter.time < 0.4);
+  await built({ value: 3e5, chosen: false });
+  await page.selectOption('#stiffness', { label: 'Automatic' });
+  await built({ chosen: true });
+  expect(await page.textContent('#stiffness-value')).toContain('chosen for this device');
+  expect(session.complaints).toEqual([]);
 });
 
 /** A loose block below the top rows whose end faces the viewer, or null. */

@@ -12,10 +12,18 @@ test('an empty address gives the full tower', () => {
     sleep: true,
     cap: 4,
     render: 'always',
+    stiffness: null,
     scale: 1,
     tier: null,
     help: true,
   });
+});
+
+test('a stiffness that the address names is kept in range, and one that makes no sense leaves the choice to the device', () => {
+  expect(readOptions('?stiffness=3e5').stiffness).toBe(3e5);
+  expect(readOptions('?stiffness=1').stiffness).toBe(1e4);
+  expect(readOptions('?stiffness=1e12').stiffness).toBe(1e8);
+  for (const text of ['', '=', '=hard', '=NaN']) expect(readOptions(`?stiffness${text}`).stiffness).toBeNull();
 });
 
 test('options are read and kept in range', () => {

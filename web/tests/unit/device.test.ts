@@ -1,0 +1,130 @@
+// The stiffness of contacts that a device holds: slower devices and larger towers never get stiffer ones, and what play shows is believed.
+
+import { expect, test } from 'vitest';
+import { Device, load, measure, STIFFNESSES, stiffest, TRIAL } from '../../src/device';
+import { FRAME } from '../../src/protocol';
+
+/** A clock that only steps move, and shows whole ticks, s. */
+class Clock {
+  time = 0;
+  steps = 0;
+  constructor(readonly tick = 0) {}
+  now = () => (this.tick > 0 ? Math.floor(this.time / this.tick) * this.tick : this.time);
+  /** A step that takes as long as `cost` says at the time that it begins. */
+  step = (cost: (time: number) => number) => () => {
+    this.steps += 1;
+    this.time += cost(this.time);
+  };
+}
+
+const COSTS = [1e-5, 1e-4, 5e-4, 1e-3, 2e-3, 3e-3, 5e-3, 8e-3, 0.012, 0.02, 0.1, 1, 10];
+const BLOCKS = [1, 9, 18, 54, 90, 120, 600];
+
+test('a slower device and a larger tower never get stiffer contacts', () => {
+  for (const blocks of BLOCKS) {
+    const chosen = COSTS.map(cost => stiffest(cost, blocks));
+    expect(chosen, `${blocks} blocks`).toEqual([...chosen].sort((a, b) => b - a));
+  }
+  for (const cost of COSTS) {
+    const chosen = BLOCKS.map(blocks => stiffest(cost, blocks));
+    expect(chosen, `${cost} s a frame`).toEqual([...chosen].sort((a, b) => b - a));
+  }
+  expect(new Set(COSTS.map(cost => stiffest(cost, 54))), 'each of the three is somewhere the right one').toEqual(new Set(STIFFNESSES));
+});
+
+test('the fastest device gets the stiffest contacts, and the slowest the softest', () => {
+  expect(stiffest(0, 54)).toBe(3e6);
+  expect(stiffest(1e-4, 54)).toBe(3e6);
+  for (const cost of [0.05, 1000, Infinity, NaN]) expect(stiffest(cost, 54)).toBe(3e5);
+});
+
+test('what is chosen leaves a frame of twice the cost of the trial in real time, and the next stiffer one would not', () => {
+  for (const blocks of BLOCKS) {
+    for (const cost of COSTS) {
+      const chosen = stiffest(cost, blocks);
+      const stiffer = STIFFNESSES[STIFFNESSES.indexOf(chosen) + 1];
+      if (chosen > STIFFNESSES[0]) expect(2 * cost * load(blocks, chosen)).toBeLessThan(FRAME);
+      if (stiffer) expect(3 * cost * load(blocks, stiffer)).toBeGreaterThan(FRAME);
+    }
+  }
+});
+
+test('the load is that of the trial for the tower of the trial, and grows with blocks and with the root of stiffness', () => {
+  expect(load(TRIAL.blocks, TRIAL.stiffness)).toBe(1);
+  expect(load(120, 1e6)).toBeCloseTo(120 / 54, 9);
+  expect(load(54, 4e6)).toBeCloseTo(2, 9);
+});
+
+test('the cost of a step is that of the quickest stretch: a busy machine and code not yet compiled do not count', () => {
+  const clock = new Clock();
+  const cost = measure(
+    clock.step(time => (time < 0.1 ? 0.016 : time < 0.15 ? 0.009 : 0.004)),
+    clock.now,
+  );
+  expect(cost).toBeCloseTo(0.004, 9);
+});
+
+test('measuring takes a quarter of a second, a whole one on a slow device, and a step where that takes longer', () => {
+  const took = (cost: number) => {
+    const clock = new Clock();
+    expect(
+      measure(
+        clock.step(() => cost),
+        clock.now,
+      ),
+    ).toBeCloseTo(cost, 9);
+    return clock.time;
+  };
+  expect(took(0.001)).toBeLessThan(0.3);
+  expect(took(0.02)).toBeGreaterThan(0.9);
+  expect(took(0.02)).toBeLessThan(1.1);
+  expect(took(30)).toBe(30);
+});
+
+test('a clock of coarse ticks gives nearly the same cost', () => {
+  for (const tick of [1e-4, 1e-3, 0.016, 0.1]) {
+    const clock = new Clock(tick);
+    const cost = measure(
+      clock.step(() => 0.003),
+      clock.now,
+    );
+    expect(cost / 0.003, `ticks of ${tick} s`).toBeGreaterThan(0.8);
+    expect(cost / 0.003, `ticks of ${tick} s`).toBeLessThan(1.2);
+  }
+});
+
+test('a device is measured once, and only when it is asked', () => {
+  let trials = 0;
+  const device = new Device(() => {
+    trials += 1;
+    return 0.003;
+  });
+  expect(trials).toBe(0);
+  expect([device.choose(54), device.choose(120), device.choose(18)]).toEqual([3e6, 1e6, 3e6]);
+  expect(trials).toBe(1);
+});
+
+/** Seconds of play of 60 steps that take as long as `cost` says. */
+function play(device: Device, seconds: number, stiffness: number, cost: (step: number) => number): void {
+  device.begin();
+  for (let i = 0; i < 60 * seconds; i++) device.played(cost(i), 54, stiffness);
+}
+
+test('where play falls behind, the next tower gets softer contacts, down to the softest', () => {
+  const device = new Device(() => 1e-3);
+  expect(device.choose(54)).toBe(3e6);
+  play(device, 2, 3e6, () => 1.1 * FRAME);
+  expect(device.choose(54)).toBe(1e6);
+  play(device, 2, 1e6, () => 1.1 * FRAME);
+  expect(device.choose(54)).toBe(3e5);
+  play(device, 2, 3e5, () => 5 * FRAME);
+  expect(device.choose(54)).toBe(3e5);
+});
+
+test('play that keeps up, a hiccup, or half a second of slowness change nothing', () => {
+  const device = new Device(() => 1e-3);
+  play(device, 20, 3e6, () => 0.95 * FRAME);
+  play(device, 5, 3e6, step => (step % 10 === 0 ? 3 : 0.002));
+  for (let i = 0; i < 5; i++) play(device, 0.5, 3e6, () => 2 * FRAME);
+  expect(device.choose(54)).toBe(3e6);
+});
