@@ -79,6 +79,9 @@ pub struct Tower {
     /// Rows of three.
     #[arg(long, default_value_t = 18, value_parser = clap::value_parser!(u32).range(1..=i64::from(MAX_ROWS)))]
     pub rows: u32,
+    /// Number of towers, half a metre apart in a square field.
+    #[arg(long, default_value_t = 1, value_parser = clap::value_parser!(u32).range(1..=1000))]
+    pub towers: u32,
     /// Standard deviation of the heights, mm; none is further off than twice that.
     #[arg(long, default_value_t = 0.1, value_parser = number(0.0, 1.0), value_name = "MM")]
     pub height_sd: f64,

@@ -2,7 +2,7 @@
 
 use clap::Parser;
 use serde::Serialize;
-use teeter_scene::{NAMED, Scene, TowerOptions, Verdict, config, loose, tower};
+use teeter_scene::{NAMED, Scene, TowerOptions, Verdict, config, field, loose, tower};
 
 use crate::args::{Common, Named, SceneArgs, What};
 use crate::fault::Fault;
@@ -15,7 +15,7 @@ pub fn main(args: SceneArgs) -> Result<(), Fault> {
         What::Tower(t) => {
             let height_sd = 1e-3 * t.height_sd;
             let options = TowerOptions { rows: t.rows, height_sd, mass_sd: t.mass_sd.map(|g| 1e-3 * g), ..options(&t.common) };
-            t.common.contact.applied(checked(tower(&options))?)
+            t.common.contact.applied(checked(if t.towers == 1 { tower(&options) } else { field(t.towers, &options) })?)
         }
         What::Config(c) => {
             let options = TowerOptions { height_sd: 1e-3 * c.height_sd, mass_sd: Some(1e-3 * c.mass_sd), ..options(&c.common) };

@@ -1,8 +1,8 @@
 //! The runs, and playing them.
 
 use std::path::Path;
-use std::sync::Mutex;
 
+use rayon::prelude::*;
 use serde::{Deserialize, Serialize};
 use teeter_physics::{Input, Params, Width, World};
 use teeter_scene::Scene;
@@ -98,24 +98,11 @@ impl Run {
     }
 }
 
-/// Plays all runs, side by side in so many threads; the outcomes in the order of the runs.
+/// Plays all runs, side by side in so many threads, which also share the towers of a field; the outcomes in the order of the runs.
 ///
 /// # Errors
 /// As [`Run::world`].
 pub fn play_all(runs: &[Run], width: Width, threads: usize) -> Result<Vec<Outcome>, Fault> {
-    let next = Mutex::new(runs.iter().enumerate());
-    let done = Mutex::new(vec![None; runs.len()]);
-    std::thread::scope(|scope| {
-        for _ in 0..threads {
-            scope.spawn(|| {
-                loop {
-                    // the guard must not be held while a run is played
-                    let Some((i, run)) = next.lock().expect("no thread panics with it").next() else { break };
-                    let outcome = run.play(width);
-                    done.lock().expect("no thread panics with it")[i] = Some(outcome);
-                }
-            });
-        }
-    });
-    done.into_inner().expect("no thread panics with it").into_iter().map(|outcome| outcome.expect("every run was taken")).collect()
+    let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().map_err(|e| e.to_string())?;
+    pool.install(|| runs.par_iter().map(|run| run.play(width)).collect())
 }

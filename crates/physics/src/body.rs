@@ -9,7 +9,7 @@ use teeter_scene::Scene;
 pub const FLOOR: u32 = u32::MAX;
 
 /// What does not change about the bodies.
-#[derive(Debug, Clone)]
+#[derive(Debug, Clone, Default)]
 pub struct Shapes {
     /// Half edge lengths, m.
     pub half: Vec<DVec3>,
@@ -23,7 +23,7 @@ pub struct Shapes {
 
 impl Shapes {
     pub fn new(scene: &Scene) -> Self {
-        let mut shapes = Self { half: Vec::new(), mass: Vec::new(), inertia: Vec::new(), radius: Vec::new() };
+        let mut shapes = Self::default();
         for block in &scene.blocks {
             let half = DVec3::from(block.size) / 2.0;
             let square = half * half;
@@ -36,13 +36,17 @@ impl Shapes {
         shapes
     }
 
-    pub fn len(&self) -> usize {
-        self.mass.len()
+    /// Takes body `i` of others.
+    pub fn push(&mut self, from: &Self, i: usize) {
+        self.half.push(from.half[i]);
+        self.mass.push(from.mass[i]);
+        self.inertia.push(from.inertia[i]);
+        self.radius.push(from.radius[i]);
     }
 }
 
 /// Where the bodies are and how they move.
-#[derive(Debug, Clone, Serialize, Deserialize)]
+#[derive(Debug, Clone, Default, Serialize, Deserialize)]
 pub struct Bodies {
     /// Centres, m.
     pub position: Vec<DVec3>,
@@ -95,6 +99,35 @@ impl Bodies {
 
     pub fn len(&self) -> usize {
         self.position.len()
+    }
+
+    /// Takes body `i` of others.
+    pub fn push(&mut self, from: &Self, i: usize) {
+        self.position.push(from.position[i]);
+        self.orientation.push(from.orientation[i]);
+        self.velocity.push(from.velocity[i]);
+        self.spin.push(from.spin[i]);
+        self.acceleration.push(from.acceleration[i]);
+        self.margin.push(from.margin[i]);
+        self.detected.push(from.detected[i]);
+        self.rested.push(from.rested[i]);
+        self.rest.push(from.rest[i]);
+        self.rest_velocity.push(from.rest_velocity[i]);
+        self.asleep.push(from.asleep[i]);
+        self.quarantined.push(from.quarantined[i]);
+    }
+
+    /// Whether there are `n` of them, in every field.
+    pub fn is_of(&self, n: usize) -> bool {
+        let vectors = [&self.position, &self.velocity, &self.spin];
+        let numbers = [&self.acceleration, &self.margin, &self.rest];
+        let answers = [&self.asleep, &self.quarantined];
+        vectors.iter().all(|x| x.len() == n)
+            && numbers.iter().all(|x| x.len() == n)
+            && answers.iter().all(|x| x.len() == n)
+            && [&self.detected, &self.rested].iter().all(|x| x.len() == n)
+            && self.orientation.len() == n
+            && self.rest_velocity.len() == n
     }
 
     /// Whether forces move the body.

@@ -16,10 +16,8 @@ pub const STEP_LIMIT: f64 = 1.4;
 pub const FLOOR_STEP_LIMIT: f64 = 2.0;
 /// Mass of the nominal block, kg.
 pub const NOMINAL_MASS: f64 = 0.0196;
-/// Longest time between two syncs, s.
+/// Longest time between two syncs of a body that moves, s; one that does not is synced once a frame.
 pub const SYNC_TIME: f64 = 1.0 / 240.0;
-/// Longest time between two syncs while nothing moves, s.
-pub const QUIET_SYNC_TIME: f64 = 1.0 / 60.0;
 /// Turn of a body since the last sync that asks for the next, rad: gaps are integrated to first order in between, an error of
 /// 40 mm * turn² / 2.
 pub const SYNC_TURN: f64 = 4e-3;
@@ -27,6 +25,8 @@ pub const SYNC_TURN: f64 = 4e-3;
 pub const SPIN_SYNC_TIME: f64 = 5e-4;
 /// The same for a body that touches nothing, rad: it only bounds the error of the orientation.
 pub const FREE_SYNC_TURN: f64 = 2e-2;
+/// Share of what a body may travel or turn from which it is synced along with others.
+pub const SYNC_SHARE: f64 = 0.5;
 /// Least travel that a body is granted until the next sync, m.
 pub const LEAST_BOUND: f64 = 2e-6;
 /// Substeps between two looks at the travel of the bodies.
@@ -73,3 +73,13 @@ pub const REST_ACCELERATION: f64 = 0.01;
 pub const HAND_RATE: f64 = 225.0;
 /// Speed at which a body has run away, m/s.
 pub const RUNAWAY_SPEED: f64 = 100.0;
+
+/// What a body is expected to sweep in a frame: [`SWEEP_LEAST`] and [`SWEEP_SPEED`] times what the fastest point of its cluster does.
+/// Least reach, m: free fall from rest in a frame of 1/60 s (1.4 mm), and the largest margin.
+pub const SWEEP_LEAST: f64 = 3e-3;
+/// See [`SWEEP_LEAST`]. Impacts can make a body faster than the one that hit it.
+pub const SWEEP_SPEED: f64 = 1.5;
+/// What is granted beyond it, so that slow motion does not ask for more in each frame, m.
+pub const SWEEP_SLACK: f64 = 2e-3;
+/// What is taken back again when it is no longer needed, m.
+pub const SWEEP_EXCESS: f64 = 1e-2;

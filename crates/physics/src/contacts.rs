@@ -1,45 +1,82 @@
-//! The manifolds of a world, in the order of their keys, and their detection.
+//! The manifolds of a cluster, in the order of their keys, and their detection.
 
 use serde::{Deserialize, Serialize};
 
 use crate::body::{Bodies, FLOOR, Shapes};
 use crate::box_box::{Cuboid, Meeting, box_box, box_floor};
-use crate::broad_phase::{Bound, overlapping};
+use crate::broad_phase::{Bound, Near, overlapping};
 use crate::constants::{LEAST_NEAR, MARGIN_RANGE, MARGIN_SHARE, MARGIN_TIME};
 use crate::manifold::{Manifold, key};
 
-/// The manifolds of a world, sorted by [`Manifold::key`].
-#[derive(Debug, Clone, Serialize, Deserialize)]
+/// The manifolds of a cluster, sorted by [`Manifold::key`], and the bounds by which they are found.
+#[derive(Debug, Clone, Default, Serialize, Deserialize)]
 pub struct Contacts {
     pub manifolds: Vec<Manifold>,
-    /// Bounds of the bodies at their last detection: each stays within its own until the next.
-    bounds: Vec<Bound>,
+    /// Bounds of the bodies at their last detection, grown by their margins: each stays within its own until the next.
+    pub bounds: Vec<Bound>,
+    /// What each body sweeps in a frame and longer, see [`crate::regroup`]; holds its bounds.
+    pub swept: Vec<Bound>,
+    /// Bodies of which these overlap.
+    #[serde(skip)]
+    near: Near,
 }
 
 impl Contacts {
-    /// No contacts yet of `n` bodies.
-    pub fn new(n: usize) -> Self {
-        Self { manifolds: Vec::new(), bounds: vec![Bound::default(); n] }
+    /// Finds again who is near whom, after `swept` has changed.
+    pub fn renew_near(&mut self) {
+        self.near = Near::new(self.swept.len(), &overlapping(&self.swept));
     }
 
-    /// Detects anew the contacts of the bodies in `due`, which have moved by a share of their margins; returns the number of pairs
-    /// looked at. The history of a contact that stays goes over.
-    pub fn detect(&mut self, shapes: &Shapes, bodies: &mut Bodies, due: &[u32]) -> u32 {
-        let mut is_due = vec![false; bodies.len()];
-        for &i in due {
-            is_due[i as usize] = true;
-        }
+    /// Takes who is near whom from who has found it.
+    pub fn set_near(&mut self, pairs: &[(u32, u32)]) {
+        self.near = Near::new(self.swept.len(), pairs);
+    }
+
+    /// The manifold of a pair.
+    pub fn find(&self, (low, high): (u32, u32)) -> Option<usize> {
+        self.manifolds.binary_search_by_key(&key(low, high), Manifold::key).ok()
+    }
+
+    /// Gives the bodies in `due` new margins and bounds where they are, and returns the pairs to look at: lower index first, or the
+    /// floor. Bodies outgrow what they were expected to sweep when they are hit harder than any of them moved before; `reach` (m) is
+    /// what they are then granted, and the second result says that it happened.
+    pub fn candidates(&mut self, shapes: &Shapes, bodies: &mut Bodies, due: &[u32], reach: f64) -> (Vec<(u32, u32)>, bool) {
+        let mut outgrown = false;
         for i in due.iter().map(|&i| i as usize) {
             bodies.margin[i] = (bodies.point_speed(shapes, i) * MARGIN_TIME).clamp(MARGIN_RANGE.0, MARGIN_RANGE.1);
             bodies.detected[i] = (bodies.position[i], bodies.orientation[i]);
-            self.bounds[i] = Bound::new(shapes, bodies, i);
+            self.bounds[i] = Bound::new(shapes, bodies, i, bodies.margin[i]);
+            if !self.swept[i].contains(&self.bounds[i]) {
+                self.swept[i] = self.bounds[i].grown(reach);
+                outgrown = true;
+            }
         }
-        let pairs = overlapping(&self.bounds, due, &is_due);
+        if outgrown {
+            self.renew_near();
+        }
+        let mut pairs = Vec::new();
+        for &i in due {
+            let bound = &self.bounds[i as usize];
+            if bound.min.z <= 0.0 {
+                pairs.push((FLOOR, i));
+            }
+            for &j in self.near.of(i as usize) {
+                // a pair of two due bodies is seen from its lower one
+                if (j > i || due.binary_search(&j).is_err()) && bound.overlaps(&self.bounds[j as usize]) {
+                    pairs.push((i.min(j), i.max(j)));
+                }
+            }
+        }
+        (pairs, outgrown)
+    }
+
+    /// Looks at the pairs, which are all that bodies in `due` (sorted) can have. The history of a contact that stays goes over.
+    pub fn detect(&mut self, shapes: &Shapes, bodies: &mut Bodies, due: &[u32], pairs: &[(u32, u32)]) {
         let mut found: Vec<Manifold> = Vec::new();
         let mut seen = vec![false; self.manifolds.len()];
-        for &(low, high) in &pairs {
-            let place = self.manifolds.binary_search_by_key(&key(low, high), Manifold::key);
-            let last = place.ok().map(|i| &self.manifolds[i]);
+        for &(low, high) in pairs {
+            let place = self.find((low, high));
+            let last = place.map(|i| &self.manifolds[i]);
             let manifold = match look(shapes, bodies, low, high, last) {
                 Meeting::Touching(manifold) => manifold,
                 Meeting::Apart => continue,
@@ -49,45 +86,49 @@ impl Contacts {
                 }
             };
             match place {
-                Ok(i) => {
+                Some(i) => {
                     seen[i] = true;
                     self.manifolds[i] = manifold;
                 }
-                Err(_) => found.push(manifold),
+                None => found.push(manifold),
             }
         }
         // what was not seen again is no more
-        let is_due = |i: u32| i != FLOOR && is_due[i as usize];
+        let is_due = |i: u32| i != FLOOR && due.binary_search(&i).is_ok();
         let mut seen = seen.into_iter();
         self.manifolds.retain(|m| seen.next().unwrap_or(true) || !(is_due(m.a) || is_due(m.b)));
         if !found.is_empty() {
             self.manifolds.extend(found);
             self.manifolds.sort_by_key(Manifold::key);
         }
-        pairs.len() as u32
     }
 
-    /// Makes the gaps exact again from the poses.
-    pub fn measure(&mut self, bodies: &Bodies) {
-        for manifold in &mut self.manifolds {
-            let (center_a, axes_a) = bodies.pose(manifold.a);
-            let (center_b, axes_b) = bodies.pose(manifold.b);
-            let normal = axes_a * manifold.frame[0];
-            for point in &mut manifold.points {
-                let on_a = center_a + axes_a * point.anchor_a;
-                let on_b = center_b + axes_b * point.anchor_b;
-                point.gap = normal.dot(on_b - on_a);
-            }
+    /// Detects everything anew.
+    pub fn detect_all(&mut self, shapes: &Shapes, bodies: &mut Bodies) {
+        let all: Vec<u32> = (0..bodies.len() as u32).collect();
+        let (pairs, _) = self.candidates(shapes, bodies, &all, 0.0);
+        self.detect(shapes, bodies, &all, &pairs);
+    }
+
+    /// Makes the gaps of a manifold exact again from the poses; returns the deepest overlap, m.
+    pub fn measure(bodies: &Bodies, manifold: &mut Manifold) -> f64 {
+        let (center_a, axes_a) = bodies.pose(manifold.a);
+        let (center_b, axes_b) = bodies.pose(manifold.b);
+        let normal = axes_a * manifold.frame[0];
+        let mut deepest: f64 = 0.0;
+        for point in &mut manifold.points {
+            let on_a = center_a + axes_a * point.anchor_a;
+            let on_b = center_b + axes_b * point.anchor_b;
+            point.gap = normal.dot(on_b - on_a);
+            deepest = deepest.max(-point.gap);
         }
+        deepest
     }
 }
 
-/// The bodies that have moved by [`MARGIN_SHARE`] of their margins since their last detection.
-pub fn due(shapes: &Shapes, bodies: &Bodies) -> Vec<u32> {
-    (0..bodies.len())
-        .filter(|&i| !bodies.asleep[i] && bodies.travel(shapes, i, bodies.detected[i]) > MARGIN_SHARE * bodies.margin[i])
-        .map(|i| i as u32)
-        .collect()
+/// Whether a body has moved by [`MARGIN_SHARE`] of its margin since its last detection.
+pub fn due(shapes: &Shapes, bodies: &Bodies, i: usize) -> bool {
+    !bodies.asleep[i] && bodies.travel(shapes, i, bodies.detected[i]) > MARGIN_SHARE * bodies.margin[i]
 }
 
 /// The box of a body.

@@ -44,7 +44,7 @@ impl Aim {
     /// Where a hand that has just taken hold wants its body: where it is.
     pub fn of_grasp(hand: &Hand, bodies: &Bodies) -> Self {
         let i = hand.body as usize;
-        Self { body: hand.body, target: grasped(hand, bodies), orientation: hand.orientation.map(|_| bodies.orientation[i]) }
+        Self { body: hand.body, target: grasped(&hand.anchor, bodies, i), orientation: hand.orientation.map(|_| bodies.orientation[i]) }
     }
 
     /// Where a hand wants its body at the end of its frame.
@@ -53,10 +53,9 @@ impl Aim {
     }
 }
 
-/// The grasped point in the world, m.
-pub fn grasped(hand: &Hand, bodies: &Bodies) -> DVec3 {
-    let i = hand.body as usize;
-    bodies.position[i] + bodies.orientation[i] * hand.anchor
+/// The point of body `i` that was grasped, in the world, m.
+pub fn grasped(anchor: &DVec3, bodies: &Bodies, i: usize) -> DVec3 {
+    bodies.position[i] + bodies.orientation[i] * *anchor
 }
 
 impl Pull {
@@ -64,7 +63,7 @@ impl Pull {
     /// evenly from `from` to that of `hand`.
     pub fn new(hand: &Hand, from: &Aim, done: f64, frame: f64, gravity: DVec3, shapes: &Shapes, bodies: &Bodies) -> Self {
         let i = hand.body as usize;
-        let point = grasped(hand, bodies);
+        let point = grasped(&hand.anchor, bodies, i);
         let twist = match (from.orientation, hand.orientation) {
             (Some(from), Some(to)) => {
                 let whole = turn(from, to);

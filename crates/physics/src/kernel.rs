@@ -76,6 +76,21 @@ impl<R: Real> Group<R> {
             points: [open; SLOTS],
         }
     }
+
+    /// Makes lane `l` an open contact of the floor with itself.
+    pub fn open(&mut self, l: usize, floor: u32) {
+        (self.a[l], self.b[l]) = (floor, floor);
+        for axis in self.frame.iter_mut().flatten().chain(&mut self.arm).chain([&mut self.relaxation]) {
+            axis.0[l] = R::default();
+        }
+        for p in &mut self.points {
+            for number in p.arm.iter_mut().chain(&mut p.lever).chain(&mut p.stretch).chain([&mut p.creep, &mut p.stiffness, &mut p.normal])
+            {
+                number.0[l] = R::default();
+            }
+            p.gap.0[l] = R::from_f64(1.0);
+        }
+    }
 }
 
 /// A body's velocity and spin, or force and torque: x, y, z, 0, x, y, z, 0.
@@ -100,13 +115,6 @@ pub struct Actors {
     pub hand: Option<Pull>,
     /// The drives.
     pub drives: Vec<Servo>,
-}
-
-impl Actors {
-    /// The bodies acted on.
-    pub fn bodies(&self) -> impl Iterator<Item = usize> {
-        self.hand.iter().map(Pull::body).chain(self.drives.iter().map(Servo::body))
-    }
 }
 
 /// A body a lane.
@@ -240,6 +248,17 @@ impl<R: Real> Kernel<R> {
             let (force, torque) = drive.force(h.to_f64(), self.motion(i));
             self.push(i, force, torque);
         }
+    }
+
+    /// Where the row of the floor begins.
+    pub fn floor(&self) -> u32 {
+        ((self.velocity.len() - 1) * ROW) as u32
+    }
+
+    /// Displacement (m) and turn (rad) of a body since its pose was made exact.
+    pub fn displacement(&self, i: usize) -> (DVec3, DVec3) {
+        let (bodies, l) = (&self.bodies[i / LANES], i % LANES);
+        (vector(&bodies.shift, l), vector(&bodies.turn, l))
     }
 
     /// Velocity of the centre and spin of a body, m/s and rad/s.

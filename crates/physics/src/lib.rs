@@ -16,13 +16,16 @@
 //! # Ok::<(), teeter_physics::BuildError>(())
 //! ```
 
+mod acts;
 mod batch;
 mod body;
 mod box_box;
 mod broad_phase;
+mod cluster;
 mod constants;
 mod contacts;
 mod drive;
+mod frame;
 mod hand;
 mod input;
 mod island;
@@ -33,12 +36,15 @@ mod kernel;
 )]
 mod lanes;
 mod manifold;
+mod moved;
 mod pack;
 mod params;
 mod polygon;
+mod regroup;
 mod report;
 mod rest;
 mod restitution;
+mod setup;
 mod snapshot;
 mod step;
 mod sync;

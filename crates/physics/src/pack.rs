@@ -1,165 +1,213 @@
 //! Packing: from bodies and manifolds to the groups of the inner loop, and back.
 //!
-//! Only points that can touch before the next sync are packed. Entries of up to four points, fullest first, go to the first group of
-//! eight in which there is room and neither body occurs. The order of the sums of forces follows from that
-//! and is the same on every machine.
+//! Only points that can touch before the next sync are packed, as entries of up to four points of a manifold, an entry a lane. Where
+//! all is laid out anew the fullest come first; otherwise entries of what has moved leave their lanes, and new ones take the first that
+//! are free. The order of the sums of forces follows from that and is the same on every machine.
 
+use arrayvec::ArrayVec;
 use glam::DVec3;
 
-use crate::batch;
 use crate::body::{Bodies, FLOOR, Shapes, world_tensor};
-use crate::constants::{FLOOR_STEP_LIMIT, MAXWELL_TIME, STEP_LIMIT};
-use crate::island::islands;
-use crate::kernel::{BodyLanes, Group, Kernel, Lane, Law, QUARTER, Row, SLOTS, vector};
+use crate::constants::{FLOOR_STEP_LIMIT, STEP_LIMIT};
+use crate::contacts::Contacts;
+use crate::kernel::{BodyLanes, Group, Kernel, Lane, QUARTER, Row, SLOTS};
 use crate::lanes::{LANES, ROW, Real};
 use crate::manifold::Manifold;
+use crate::moved::Moved;
+use crate::setup::Setup;
 
 /// Up to four points of a manifold.
-#[derive(Debug, Clone, Copy)]
+#[derive(Debug, Clone)]
 struct Entry {
-    manifold: u32,
-    count: usize,
-    points: [u8; SLOTS],
+    a: u32,
+    b: u32,
+    points: ArrayVec<u8, SLOTS>,
 }
 
-/// The entries, sixteen to a group of the inner loop.
+/// What is in the inner loop, and how far it may go there.
 #[derive(Debug, Clone, Default)]
 pub struct Packing {
-    entries: Vec<Entry>,
+    /// The entry in each lane, group by group.
+    lanes: Vec<Option<Entry>>,
+    /// How many entries each body has.
+    entries: Vec<u32>,
     /// Bodies on which only their load acts: they fly in closed form, see [`crate::sync::fly`].
     pub free: Vec<bool>,
-}
-
-/// What the packing needs to know of the world besides bodies and manifolds.
-#[derive(Debug, Clone)]
-pub struct Batch {
-    /// Substep, s.
-    pub h: f64,
-    /// Static and kinetic friction.
-    pub mu: (f64, f64),
-    /// Damping ratio.
-    pub zeta: f64,
-    /// Stiffness of the scene, N/m.
-    pub stiffness: f64,
-    /// How far a point of each body may get before the next sync, m.
-    pub travel: Vec<f64>,
-    /// Force and torque on each body other than from contacts, N and N m.
+    /// How far a point of each body may get before it must be synced, m.
+    pub reach: Vec<f64>,
+    /// How far each may turn, rad.
+    pub turn: Vec<f64>,
+    /// Force and torque on each other than from contacts, hand and drives, N and N m.
     pub load: Vec<(DVec3, DVec3)>,
-    /// Bodies that forces do not move in this batch.
-    pub held: Vec<bool>,
+    /// Substep of the frame at which the pose of each was made exact.
+    pub since: Vec<usize>,
+    /// The point at which velocities are compared, m.
+    reference: DVec3,
 }
 
 impl Packing {
-    /// Chooses the points and lays out the groups. Points left out lose their history: they are open.
-    pub fn plan(&mut self, manifolds: &mut [Manifold], batch: &Batch) {
+    /// Begins a frame: nothing is packed.
+    pub fn begin(&mut self, bodies: &Bodies) {
+        let n = bodies.len();
+        self.lanes.clear();
         self.entries.clear();
-        let still = |i: u32| i == FLOOR || batch.held[i as usize];
-        let reach = |i: u32| if i == FLOOR { 0.0 } else { batch.travel[i as usize] };
-        for (index, manifold) in manifolds.iter_mut().enumerate() {
-            if still(manifold.a) && still(manifold.b) {
+        self.entries.resize(n, 0);
+        self.free.clear();
+        self.free.resize(n, false);
+        self.reach.clear();
+        self.reach.resize(n, 0.0);
+        self.turn.clear();
+        self.turn.resize(n, 0.0);
+        self.load.clear();
+        self.load.resize(n, (DVec3::ZERO, DVec3::ZERO));
+        self.since.clear();
+        self.since.resize(n, 0);
+        self.reference = bodies.position.iter().sum::<DVec3>() / n as f64;
+    }
+
+    /// Takes the springs of what has moved back into the manifolds, and their entries out of their lanes.
+    pub fn unload<R: Real>(&mut self, kernel: &mut Kernel<R>, contacts: &mut Contacts, moved: &Moved) {
+        let floor = kernel.floor();
+        for (at, lane) in self.lanes.iter_mut().enumerate() {
+            let Some(entry) = lane else { continue };
+            if !moved.touches(entry.a, entry.b) {
                 continue;
             }
-            let limit = reach(manifold.a) + reach(manifold.b);
-            let mut entry = Entry { manifold: index as u32, count: 0, points: [0; SLOTS] };
-            for (p, point) in manifold.points.iter_mut().enumerate() {
-                if point.gap > limit {
-                    point.forget();
-                    continue;
-                }
-                if entry.count == SLOTS {
-                    self.entries.push(entry);
-                    entry.count = 0;
-                }
-                entry.points[entry.count] = p as u8;
-                entry.count += 1;
-            }
-            if entry.count > 0 {
-                self.entries.push(entry);
-            }
-        }
-        self.entries.sort_by_key(|e| std::cmp::Reverse(e.count));
-
-        self.free = batch.held.iter().map(|held| !held).collect();
-        for entry in &self.entries {
-            let manifold = &manifolds[entry.manifold as usize];
-            for i in [manifold.a, manifold.b].into_iter().filter(|&i| i != FLOOR) {
-                self.free[i as usize] = false;
-            }
-        }
-    }
-
-    /// Fills the inner loop.
-    pub fn load<R: Real>(&self, kernel: &mut Kernel<R>, manifolds: &[Manifold], shapes: &Shapes, bodies: &Bodies, batch: &Batch) -> Law<R> {
-        let references = self.references(manifolds, bodies, batch);
-        load_bodies(kernel, shapes, bodies, batch, &self.free, &references);
-        let floor = (kernel.velocity.len() - 1) as u32 * ROW as u32;
-        kernel.groups.clear();
-        for entries in self.entries.chunks(LANES) {
-            let mut group = Group::new(floor);
-            for (l, entry) in entries.iter().enumerate() {
-                let manifold = &manifolds[entry.manifold as usize];
-                let mover = if manifold.a == FLOOR || batch.held[manifold.a as usize] { manifold.b } else { manifold.a };
-                load_entry(&mut group, l, manifold, bodies, references[mover as usize]);
-                load_points(&mut group, l, entry, manifold, springs(manifold, shapes, batch));
-            }
-            kernel.groups.push(group);
-        }
-        Law {
-            h: R::from_f64(batch.h),
-            keep: R::from_f64(1.0 - batch.h / MAXWELL_TIME),
-            mu_kinetic: R::from_f64(batch.mu.1),
-            mu_excess: R::from_f64(batch.mu.0 - batch.mu.1),
-        }
-    }
-
-    /// The reference point of each body's island, m: the mean of the centres of the bodies that the entries join. Near enough for
-    /// single precision, and the same for both bodies of every entry that move.
-    fn references(&self, manifolds: &[Manifold], bodies: &Bodies, batch: &Batch) -> Vec<DVec3> {
-        let moves = |i: u32| i != FLOOR && !batch.held[i as usize];
-        let joined = self.entries.iter().map(|e| &manifolds[e.manifold as usize]);
-        let joined = joined.filter(|m| moves(m.a) && moves(m.b)).map(|m| (m.a, m.b));
-        let island = islands(bodies.len(), joined);
-        let mut sums = vec![(DVec3::ZERO, 0.0); bodies.len()];
-        for (i, &root) in island.iter().enumerate() {
-            let (sum, count) = &mut sums[root as usize];
-            *sum += bodies.position[i];
-            *count += 1.0;
-        }
-        island.iter().map(|&root| sums[root as usize].0 / sums[root as usize].1).collect()
-    }
-
-    /// Takes the springs back into the manifolds.
-    pub fn unload<R: Real>(&self, kernel: &Kernel<R>, manifolds: &mut [Manifold]) {
-        for (entries, group) in self.entries.chunks(LANES).zip(&kernel.groups) {
-            for (l, entry) in entries.iter().enumerate() {
-                let points = &mut manifolds[entry.manifold as usize].points;
-                for (from, &p) in group.points.iter().zip(&entry.points[..entry.count]) {
+            let (group, l) = (&mut kernel.groups[at / LANES], at % LANES);
+            if let Some(place) = contacts.find((entry.a, entry.b)) {
+                let points = &mut contacts.manifolds[place].points;
+                for (from, &p) in group.points.iter().zip(&entry.points) {
                     let to = &mut points[p as usize];
                     to.stretch = [from.stretch[0].0[l].to_f64(), from.stretch[1].0[l].to_f64()];
                     to.creep = from.creep.0[l].to_f64();
                     to.force = from.normal.0[l].to_f64();
                 }
             }
+            for i in [entry.a, entry.b].into_iter().filter(|&i| i != FLOOR) {
+                self.entries[i as usize] -= 1;
+            }
+            *lane = None;
+            group.open(l, floor);
+        }
+        if moved.all {
+            self.lanes.clear();
+            kernel.groups.clear();
+        }
+        for (g, group) in kernel.groups.iter_mut().enumerate() {
+            for (q, count) in group.counts.iter_mut().enumerate() {
+                let lanes = &self.lanes[g * LANES + q * QUARTER..][..QUARTER];
+                *count = lanes.iter().flatten().map(|e| e.points.len() as u32).max().unwrap_or(0);
+            }
         }
     }
-}
 
-/// Puts the geometry of a manifold into lane `l`.
-fn load_entry<R: Real>(group: &mut Group<R>, l: usize, manifold: &Manifold, bodies: &Bodies, reference: DVec3) {
-    let (center_a, axes_a) = bodies.pose(manifold.a);
-    let centroid = center_a + axes_a * manifold.centroid;
-    let set = |to: &mut [Lane<R>; 3], x: DVec3| {
-        for k in 0..3 {
-            to[k].0[l] = R::from_f64(x[k]);
+    /// Chooses the points of what has moved and gives them lanes. Points left out lose their history: they are open.
+    pub fn load<R: Real>(
+        &mut self,
+        kernel: &mut Kernel<R>,
+        contacts: &mut Contacts,
+        shapes: &Shapes,
+        bodies: &Bodies,
+        setup: &Setup,
+        moved: &Moved,
+    ) {
+        let still = |i: u32| i == FLOOR || !bodies.moves(i as usize);
+        let reach = |i: u32| if i == FLOOR { 0.0 } else { self.reach[i as usize] };
+        let mut chosen: Vec<(usize, Entry)> = Vec::new();
+        for (index, manifold) in contacts.manifolds.iter_mut().enumerate() {
+            let (a, b) = (manifold.a, manifold.b);
+            if !moved.touches(a, b) || (still(a) && still(b)) {
+                continue;
+            }
+            let limit = reach(a) + reach(b);
+            let mut entry = Entry { a, b, points: ArrayVec::new() };
+            for (p, point) in manifold.points.iter_mut().enumerate() {
+                if point.gap > limit {
+                    point.forget();
+                    continue;
+                }
+                if entry.points.is_full() {
+                    chosen.push((index, std::mem::replace(&mut entry, Entry { a, b, points: ArrayVec::new() })));
+                }
+                entry.points.push(p as u8);
+            }
+            if !entry.points.is_empty() {
+                chosen.push((index, entry));
+            }
         }
-    };
-    for k in 0..3 {
-        set(&mut group.frame[k], axes_a * manifold.frame[k]);
+        chosen.sort_by_key(|(_, e)| std::cmp::Reverse(e.points.len()));
+        let mut place = 0;
+        for (index, entry) in chosen {
+            while self.lanes.get(place).is_some_and(Option::is_some) {
+                place += 1;
+            }
+            if place == self.lanes.len() {
+                self.lanes.resize_with(place + LANES, || None);
+                kernel.groups.push(Group::new(kernel.floor()));
+            }
+            let manifold = &contacts.manifolds[index];
+            let (group, l) = (&mut kernel.groups[place / LANES], place % LANES);
+            self.load_entry(group, l, manifold, bodies);
+            load_points(group, l, &entry, manifold, springs(manifold, shapes, setup));
+            for i in [entry.a, entry.b].into_iter().filter(|&i| i != FLOOR) {
+                self.entries[i as usize] += 1;
+            }
+            self.lanes[place] = Some(entry);
+        }
     }
-    set(&mut group.arm, centroid - reference);
-    group.b[l] = manifold.b * ROW as u32;
-    if manifold.a != FLOOR {
-        group.a[l] = manifold.a * ROW as u32;
+
+    /// Puts the geometry of a manifold into lane `l`.
+    fn load_entry<R: Real>(&self, group: &mut Group<R>, l: usize, manifold: &Manifold, bodies: &Bodies) {
+        let (center_a, axes_a) = bodies.pose(manifold.a);
+        let centroid = center_a + axes_a * manifold.centroid;
+        let set = |to: &mut [Lane<R>; 3], x: DVec3| {
+            for k in 0..3 {
+                to[k].0[l] = R::from_f64(x[k]);
+            }
+        };
+        for k in 0..3 {
+            set(&mut group.frame[k], axes_a * manifold.frame[k]);
+        }
+        set(&mut group.arm, centroid - self.reference);
+        group.b[l] = manifold.b * ROW as u32;
+        if manifold.a != FLOOR {
+            group.a[l] = manifold.a * ROW as u32;
+        }
+    }
+
+    /// Puts a body into its lane. `acted` says that something acts on it besides contacts and its load.
+    pub fn load_body<R: Real>(&mut self, kernel: &mut Kernel<R>, shapes: &Shapes, bodies: &Bodies, i: usize, acted: bool) {
+        let moves = bodies.moves(i);
+        self.free[i] = moves && self.entries[i] == 0 && !acted;
+        let (block, l) = (&mut kernel.bodies[i / LANES], i % LANES);
+        let offset = bodies.position[i] - self.reference;
+        let (v, w) = (bodies.velocity[i], bodies.spin[i]);
+        let row = |x: DVec3, y: DVec3| Row([x.x, x.y, x.z, 0.0, y.x, y.y, y.z, 0.0].map(R::from_f64));
+        kernel.velocity[i] = row(v - w.cross(offset), w);
+        for k in 0..3 {
+            block.velocity[k].0[l] = R::from_f64(v[k]);
+            block.spin[k].0[l] = R::from_f64(w[k]);
+            block.offset[k].0[l] = R::from_f64(offset[k]);
+            block.shift[k].0[l] = R::default();
+            block.turn[k].0[l] = R::default();
+        }
+        block.radius.0[l] = R::from_f64(shapes.radius[i]);
+        block.travel_bound.0[l] = R::from_f64(self.reach[i]);
+        block.turn_bound.0[l] = R::from_f64(self.turn[i]);
+        let driven = moves && !self.free[i];
+        let (force, torque) = if driven { self.load[i] } else { (DVec3::ZERO, DVec3::ZERO) };
+        kernel.load[i] = row(force, torque + offset.cross(force));
+        block.inv_mass.0[l] = R::from_f64(if driven { shapes.mass[i].recip() } else { 0.0 });
+        let tensor = if driven { world_tensor(bodies.orientation[i], shapes.inertia[i].recip()) } else { glam::DMat3::ZERO };
+        let (x, y, z) = (tensor.x_axis, tensor.y_axis, tensor.z_axis);
+        for (to, from) in block.inv_inertia.iter_mut().zip([x.x, y.y, z.z, x.y, x.z, y.z]) {
+            to.0[l] = R::from_f64(from);
+        }
+    }
+
+    /// Whether a body has entries.
+    pub fn touches(&self, i: usize) -> bool {
+        self.entries[i] > 0
     }
 }
 
@@ -167,9 +215,9 @@ fn load_entry<R: Real>(group: &mut Group<R>, l: usize, manifold: &Manifold, bodi
 fn load_points<R: Real>(group: &mut Group<R>, l: usize, entry: &Entry, manifold: &Manifold, (stiffness, damping): (f64, f64)) {
     let levers = manifold.levers();
     let count = &mut group.counts[l / QUARTER];
-    *count = (*count).max(entry.count as u32);
+    *count = (*count).max(entry.points.len() as u32);
     group.relaxation.0[l] = R::from_f64(damping / stiffness);
-    for (&p, to) in entry.points[..entry.count].iter().zip(&mut group.points) {
+    for (&p, to) in entry.points.iter().zip(&mut group.points) {
         let from = &manifold.points[p as usize];
         let put = |to: &mut Lane<R>, x: f64| to.0[l] = R::from_f64(x);
         let lever = levers(from);
@@ -189,65 +237,32 @@ fn load_points<R: Real>(group: &mut Group<R>, l: usize, entry: &Entry, manifold:
 /// A mode of stiffness k and damping c on the mobility X is stable while 2 k X h² + 2 c X h < 4; the Maxwell element doubles k. In
 /// a column of blocks that rock against each other each has a contact on both sides, which leaves 2 for one; the floor has but one
 /// side. Crossed blocks are far below the limit, blocks lying flat on each other would be above it.
-fn springs(manifold: &Manifold, shapes: &Shapes, batch: &Batch) -> (f64, f64) {
+fn springs(manifold: &Manifold, shapes: &Shapes, setup: &Setup) -> (f64, f64) {
     let inv = |i: u32| if i == FLOOR { 0.0 } else { shapes.mass[i as usize].recip() };
     let mass = (inv(manifold.a) + inv(manifold.b)).recip();
     let limit = if manifold.a == FLOOR { FLOOR_STEP_LIMIT } else { STEP_LIMIT };
-    let (h, x) = (batch.h, manifold.mobility);
-    let stiffness = (batch.stiffness * manifold.area).min(0.6 * limit / (2.0 * h * h * x));
-    let damping = 2.0 * batch.zeta * (stiffness * mass).sqrt();
+    let (h, x) = (setup.h, manifold.mobility);
+    let stiffness = (setup.stiffness * manifold.area).min(0.6 * limit / (2.0 * h * h * x));
+    let damping = 2.0 * setup.zeta * (stiffness * mass).sqrt();
     (stiffness, damping.min((limit - 2.0 * h * h * stiffness * x) / (2.0 * h * x)))
 }
 
-fn load_bodies<R: Real>(kernel: &mut Kernel<R>, shapes: &Shapes, bodies: &Bodies, batch: &Batch, free: &[bool], references: &[DVec3]) {
-    let n = bodies.len();
+/// Makes room for `n` bodies, all at rest and without bounds.
+pub fn make_room<R: Real>(kernel: &mut Kernel<R>, n: usize) {
     let blocks = n.div_ceil(LANES);
     // one beyond the bodies: the floor
     let rows = blocks * LANES + 1;
     kernel.len = n;
-    kernel.velocity.clear();
-    kernel.velocity.resize(rows, Row::default());
-    kernel.load.clear();
-    kernel.load.resize(rows, Row::default());
-    kernel.force.resize(rows, Row::default());
+    kernel.groups.clear();
+    for all in [&mut kernel.velocity, &mut kernel.load, &mut kernel.force] {
+        all.clear();
+        all.resize(rows, Row::default());
+    }
     kernel.bodies.clear();
     kernel.bodies.resize(blocks, BodyLanes::default());
-    let far = R::from_f64(1e30);
+    let far = Lane([R::from_f64(1e30); LANES]);
     for block in &mut kernel.bodies {
-        block.travel_bound = Lane([far; LANES]);
-        block.turn_bound = Lane([far; LANES]);
+        block.travel_bound = far;
+        block.turn_bound = far;
     }
-    let row = |x: DVec3, y: DVec3| Row([x.x, x.y, x.z, 0.0, y.x, y.y, y.z, 0.0].map(R::from_f64));
-    for (i, &free) in free.iter().enumerate() {
-        let (block, l) = (&mut kernel.bodies[i / LANES], i % LANES);
-        let offset = bodies.position[i] - references[i];
-        let (v, w) = (bodies.velocity[i], bodies.spin[i]);
-        kernel.velocity[i] = row(v - w.cross(offset), w);
-        for k in 0..3 {
-            block.velocity[k].0[l] = R::from_f64(v[k]);
-            block.spin[k].0[l] = R::from_f64(w[k]);
-            block.offset[k].0[l] = R::from_f64(offset[k]);
-        }
-        block.radius.0[l] = R::from_f64(shapes.radius[i]);
-        block.travel_bound.0[l] = R::from_f64(batch.travel[i]);
-        block.turn_bound.0[l] = R::from_f64(batch::turn(bodies, i, !free));
-        if batch.held[i] || free {
-            continue;
-        }
-        let (force, torque) = batch.load[i];
-        kernel.load[i] = row(force, torque + offset.cross(force));
-        block.inv_mass.0[l] = R::from_f64(shapes.mass[i].recip());
-        let tensor = world_tensor(bodies.orientation[i], shapes.inertia[i].recip());
-        let (x, y, z) = (tensor.x_axis, tensor.y_axis, tensor.z_axis);
-        for (to, from) in block.inv_inertia.iter_mut().zip([x.x, y.y, z.z, x.y, x.z, y.z]) {
-            to.0[l] = R::from_f64(from);
-        }
-    }
-}
-
-/// Displacement, turn, velocity and spin of a body after a batch.
-pub fn motion<R: Real>(kernel: &Kernel<R>, i: usize) -> [DVec3; 4] {
-    let (block, l) = (&kernel.bodies[i / LANES], i % LANES);
-    let (velocity, spin) = kernel.motion(i);
-    [vector(&block.shift, l), vector(&block.turn, l), velocity, spin]
 }

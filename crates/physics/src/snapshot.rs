@@ -1,6 +1,15 @@
 //! The whole state as bytes, and its hash.
 
-use crate::world::{State, World};
+use glam::DVec3;
+use serde::{Deserialize, Serialize};
+
+use crate::body::Bodies;
+use crate::cluster::Cluster;
+use crate::contacts::Contacts;
+use crate::hand::Aim;
+use crate::input::AppliedForce;
+use crate::regroup::Clusters;
+use crate::world::World;
 
 /// Why bytes are no snapshot of this world.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
@@ -8,13 +17,58 @@ use crate::world::{State, World};
 pub struct SnapshotError(String);
 
 /// First bytes of a snapshot: what it is, and the version of its layout.
-const MAGIC: &[u8] = b"teeter\x00\x01";
+const MAGIC: &[u8] = b"teeter\x00\x02";
+
+/// All that changes: with the constants and the inputs it determines all of the future.
+#[derive(Debug, Serialize, Deserialize)]
+struct State {
+    time: f64,
+    bodies: Bodies,
+    contacts: Contacts,
+    /// The bodies of each cluster, and whether one has outgrown what it was expected to sweep.
+    clusters: Vec<(Vec<u32>, bool)>,
+    aim: Option<Aim>,
+    forces: Vec<AppliedForce>,
+    gravity: DVec3,
+}
+
+impl State {
+    /// Whether it is one of `n` bodies, with nothing missing or out of range.
+    fn is_of(&self, n: usize) -> bool {
+        let mut ids: Vec<u32> = self.clusters.iter().flat_map(|(ids, _)| ids.iter().copied()).collect();
+        ids.sort_unstable();
+        let known = |i: u32| i == crate::body::FLOOR || (i as usize) < n;
+        self.bodies.is_of(n)
+            && self.contacts.bounds.len() == n
+            && self.contacts.swept.len() == n
+            && self.contacts.manifolds.iter().all(|m| known(m.a) && (m.b as usize) < n)
+            && self.clusters.iter().all(|(ids, _)| !ids.is_empty() && ids.is_sorted())
+            && ids.into_iter().eq(0..n as u32)
+    }
+}
 
 impl World {
     /// The whole state as bytes. They hold neither the scene nor the constants.
     pub fn snapshot(&self) -> Vec<u8> {
+        let mut whole = Cluster::new(&self.params);
+        for body in 0..self.len() as u32 {
+            let (cluster, i) = self.clusters.of(body);
+            whole.push(cluster, i);
+        }
+        for cluster in &self.clusters.list {
+            whole.adopt(&cluster.contacts.manifolds, |i| Some(cluster.ids[i as usize]));
+        }
+        let state = State {
+            time: self.time,
+            bodies: whole.bodies,
+            contacts: whole.contacts,
+            clusters: self.clusters.list.iter().map(|c| (c.ids.clone(), c.outgrown)).collect(),
+            aim: self.aim,
+            forces: self.forces.clone(),
+            gravity: self.gravity,
+        };
         let mut bytes = MAGIC.to_vec();
-        bytes.extend(postcard::to_stdvec(&self.state).expect("plain numbers can always be written"));
+        bytes.extend(postcard::to_stdvec(&state).expect("plain numbers can always be written"));
         bytes
     }
 
@@ -25,10 +79,28 @@ impl World {
     pub fn restore(&mut self, bytes: &[u8]) -> Result<(), SnapshotError> {
         let body = bytes.strip_prefix(MAGIC).ok_or_else(|| SnapshotError("it does not begin like one".into()))?;
         let state: State = postcard::from_bytes(body).map_err(|e| SnapshotError(e.to_string()))?;
-        if state.bodies.len() != self.len() {
-            return Err(SnapshotError(format!("it has {} bodies instead of {}", state.bodies.len(), self.len())));
+        let n = self.len();
+        if state.bodies.len() != n {
+            return Err(SnapshotError(format!("it has {} bodies instead of {n}", state.bodies.len())));
         }
-        self.state = state;
+        if !state.is_of(n) {
+            return Err(SnapshotError("it is damaged".into()));
+        }
+        let mut whole = Cluster::new(&self.params);
+        for body in 0..n as u32 {
+            let (cluster, i) = self.clusters.of(body);
+            whole.ids.push(body);
+            whole.shapes.push(&cluster.shapes, i);
+        }
+        whole.bodies = state.bodies;
+        whole.contacts = state.contacts;
+        let (parts, outgrown): (Vec<_>, Vec<_>) = state.clusters.into_iter().unzip();
+        self.clusters = Clusters::one(whole);
+        self.clusters.split(&self.params, &parts);
+        for (cluster, outgrown) in self.clusters.list.iter_mut().zip(outgrown) {
+            cluster.outgrown = outgrown;
+        }
+        (self.time, self.aim, self.forces, self.gravity) = (state.time, state.aim, state.forces, state.gravity);
         self.write_poses();
         Ok(())
     }

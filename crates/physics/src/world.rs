@@ -1,22 +1,21 @@
-//! The world: constants, shapes and state.
+//! The world: its bodies in clusters, and what it says of them.
 
-use glam::DVec3;
-use serde::{Deserialize, Serialize};
+use glam::{DQuat, DVec3};
 use teeter_scene::Scene;
 
-use crate::batch;
-use crate::body::{Bodies, Shapes};
-use crate::constants::{AREA_RANGE, NOMINAL_MASS, REFERENCE_AREA, STEP_FRACTION};
-use crate::contacts::Contacts;
+use crate::body::{Bodies, FLOOR, Shapes};
+use crate::broad_phase::Bound;
+use crate::cluster::Cluster;
+use crate::constants::SWEEP_LEAST;
+use crate::frame::Outcome;
 use crate::hand::{Aim, grasped};
 use crate::input::{AppliedForce, Input};
-use crate::kernel::Kernel;
 use crate::lanes::float_mode::FloatMode;
-use crate::pack::Packing;
-use crate::params::{Params, Precision};
+use crate::params::Params;
+use crate::regroup::Clusters;
 use crate::report::{ContactReport, StepReport};
 use crate::rest;
-use crate::restitution::damping_ratio;
+use crate::setup::Setup;
 
 /// Why a scene cannot become a world.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
@@ -39,46 +38,19 @@ pub enum BuildError {
 /// Largest force that a hand may be given, N, whatever the input says.
 const STRONGEST_HAND: f64 = 50.0;
 
-/// All that changes: with the constants and the inputs it determines all of the future.
-#[derive(Debug, Clone, Serialize, Deserialize)]
-pub(crate) struct State {
-    pub time: f64,
-    pub bodies: Bodies,
-    pub contacts: Contacts,
-    /// Where the hand of the last step wanted its body.
-    pub aim: Option<Aim>,
-    /// Forces at the end of the last step.
-    pub forces: Vec<AppliedForce>,
-    /// Gravity of the last step.
-    pub gravity: DVec3,
-}
-
-/// The inner loop in one of its two number formats.
-#[derive(Debug, Clone)]
-pub(crate) enum Loop {
-    Single(Kernel<f32>),
-    Double(Kernel<f64>),
-}
-
 /// Bodies and contacts in time. All of its future follows from the scene, the [`Params`] and the [`Input`]s.
 #[derive(Debug, Clone)]
 pub struct World {
     pub(crate) params: Params,
-    pub(crate) shapes: Shapes,
-    pub(crate) state: State,
-    /// Gravity of the scene, m/s².
-    scene_gravity: f64,
-    /// Static and kinetic friction.
-    pub(crate) mu: (f64, f64),
-    /// Damping ratio.
-    pub(crate) zeta: f64,
-    /// Normal stiffness of a contact of the reference area, N/m.
-    pub(crate) stiffness: f64,
-    /// Substep, s, and how many make a frame.
-    pub(crate) h: f64,
-    pub(crate) substeps: usize,
-    pub(crate) kernel: Loop,
-    pub(crate) packing: Packing,
+    pub(crate) setup: Setup,
+    pub(crate) clusters: Clusters,
+    pub(crate) time: f64,
+    /// Where the hand of the last step wanted its body.
+    pub(crate) aim: Option<Aim>,
+    /// Forces at the end of the last step.
+    pub(crate) forces: Vec<AppliedForce>,
+    /// Gravity of the last step.
+    pub(crate) gravity: DVec3,
     poses: Vec<f64>,
 }
 
@@ -92,42 +64,35 @@ impl World {
         check(&params)?;
         scene.validate()?;
         let shapes = Shapes::new(scene);
-        let bodies = Bodies::new(scene);
-        let longest = STEP_FRACTION * (step_mass(&shapes) / scene.stiffness).sqrt();
-        let substeps = (params.frame / longest).ceil().max(1.0) as usize;
+        let setup = Setup::new(scene, &params, &shapes);
+        let mut cluster = Cluster::new(&params);
+        cluster.ids = (0..scene.blocks.len() as u32).collect();
+        cluster.bodies = Bodies::new(scene);
+        let bound = |i| Bound::new(&shapes, &cluster.bodies, i, SWEEP_LEAST);
+        cluster.contacts.swept = (0..cluster.len()).map(bound).collect();
+        cluster.contacts.bounds = cluster.contacts.swept.clone();
+        cluster.contacts.renew_near();
+        cluster.contacts.detect_all(&shapes, &mut cluster.bodies);
+        cluster.shapes = shapes;
+        // the first step divides it
+        cluster.outgrown = true;
         let mut world = Self {
-            scene_gravity: scene.gravity,
-            mu: (scene.friction, scene.kinetic_friction.unwrap_or(scene.friction)),
-            zeta: damping_ratio(scene.restitution),
-            stiffness: scene.stiffness,
-            h: params.frame / substeps as f64,
-            substeps,
-            kernel: match params.precision {
-                Precision::Single => Loop::Single(Kernel::new(params.width)),
-                Precision::Double => Loop::Double(Kernel::new(params.width)),
-            },
-            packing: Packing::default(),
-            poses: Vec::new(),
-            state: State {
-                time: 0.0,
-                contacts: Contacts::new(bodies.len()),
-                aim: None,
-                forces: Vec::new(),
-                gravity: DVec3::new(0.0, 0.0, -scene.gravity),
-                bodies,
-            },
+            setup,
+            clusters: Clusters::one(cluster),
+            time: 0.0,
+            aim: None,
+            forces: Vec::new(),
+            gravity: setup.own_gravity(),
+            poses: vec![0.0; 7 * scene.blocks.len()],
             params,
-            shapes,
         };
-        let all: Vec<u32> = (0..world.len() as u32).collect();
-        world.state.contacts.detect(&world.shapes, &mut world.state.bodies, &all);
         world.write_poses();
         Ok(world)
     }
 
     /// Number of bodies.
     pub fn len(&self) -> usize {
-        self.shapes.len()
+        self.clusters.place.len()
     }
 
     /// Whether there is no body.
@@ -142,17 +107,17 @@ impl World {
 
     /// Stiffness of the scene, N/m.
     pub fn stiffness(&self) -> f64 {
-        self.stiffness
+        self.setup.stiffness
     }
 
     /// Simulated time, s.
     pub fn time(&self) -> f64 {
-        self.state.time
+        self.time
     }
 
     /// The substep, s.
     pub fn substep(&self) -> f64 {
-        self.h
+        self.setup.h
     }
 
     /// Seven numbers a body in order of creation: position (m), orientation (x, y, z, w).
@@ -162,59 +127,74 @@ impl World {
 
     /// Six numbers a body: velocity of the centre (m/s), angular velocity (rad/s).
     pub fn velocities(&self) -> Vec<f64> {
-        let bodies = &self.state.bodies;
-        bodies.velocity.iter().zip(&bodies.spin).flat_map(|(v, w)| [v.x, v.y, v.z, w.x, w.y, w.z]).collect()
+        let of = |i: u32| {
+            let (cluster, i) = self.clusters.of(i);
+            let (v, w) = (cluster.bodies.velocity[i], cluster.bodies.spin[i]);
+            [v.x, v.y, v.z, w.x, w.y, w.z]
+        };
+        (0..self.len() as u32).flat_map(of).collect()
     }
 
     /// Edge lengths of a body, m.
     pub fn size(&self, body: u32) -> DVec3 {
-        self.shapes.half[body as usize] * 2.0
+        let (cluster, i) = self.clusters.of(body);
+        cluster.shapes.half[i] * 2.0
     }
 
     /// Mass of a body, kg.
     pub fn mass(&self, body: u32) -> f64 {
-        self.shapes.mass[body as usize]
+        let (cluster, i) = self.clusters.of(body);
+        cluster.shapes.mass[i]
     }
 
     /// Whether a body sleeps.
     pub fn asleep(&self, body: u32) -> bool {
-        self.state.bodies.asleep[body as usize]
+        let (cluster, i) = self.clusters.of(body);
+        cluster.bodies.asleep[i]
     }
 
     /// Gives a body a velocity (m/s) and a spin (rad/s): how an experiment starts.
     pub fn set_velocity(&mut self, body: u32, velocity: DVec3, spin: DVec3) {
-        let i = body as usize;
-        rest::wake(&mut self.state.bodies, &self.state.contacts.manifolds, &[body]);
-        self.state.bodies.velocity[i] = velocity;
-        self.state.bodies.spin[i] = spin;
+        self.wake(body);
+        let (cluster, i) = self.clusters.of_mut(body);
+        cluster.bodies.velocity[i] = velocity;
+        cluster.bodies.spin[i] = spin;
     }
 
     /// Turns a body to an orientation about its centre: how an experiment starts. The contacts are found anew.
-    pub fn set_orientation(&mut self, body: u32, orientation: glam::DQuat) {
+    pub fn set_orientation(&mut self, body: u32, orientation: DQuat) {
         let _mode = FloatMode::standard();
-        rest::wake(&mut self.state.bodies, &self.state.contacts.manifolds, &[body]);
-        self.state.bodies.orientation[body as usize] = orientation.normalize();
-        self.state.contacts.detect(&self.shapes, &mut self.state.bodies, &[body]);
+        self.wake(body);
+        let (cluster, i) = self.clusters.of_mut(body);
+        cluster.bodies.orientation[i] = orientation.normalize();
+        // what it may sweep now can be another cluster's
+        self.clusters.regroup(&self.params, self.setup.frame, &[]);
+        let (cluster, i) = self.clusters.of_mut(body);
+        let due = [i as u32];
+        let (pairs, _) = cluster.contacts.candidates(&cluster.shapes, &mut cluster.bodies, &due, SWEEP_LEAST);
+        cluster.contacts.detect(&cluster.shapes, &mut cluster.bodies, &due, &pairs);
         self.write_poses();
     }
 
     /// The contacts that bear load on a body, in the order of the other bodies.
     pub fn contacts(&self, body: u32) -> Vec<ContactReport> {
+        let (cluster, i) = self.clusters.of(body);
+        let i = i as u32;
         let mut reports = Vec::new();
-        for manifold in &self.state.contacts.manifolds {
-            if manifold.a != body && manifold.b != body {
+        for manifold in &cluster.contacts.manifolds {
+            if manifold.a != i && manifold.b != i {
                 continue;
             }
-            let (center, axes) = self.state.bodies.pose(manifold.a);
+            let (center, axes) = cluster.bodies.pose(manifold.a);
             let force: f64 = manifold.points.iter().map(|p| p.force).sum();
             if force <= 0.0 {
                 continue;
             }
             let place: DVec3 = manifold.points.iter().map(|p| p.anchor_a * p.force).sum();
             let normal = axes * manifold.frame[0];
-            let (other, normal) = if manifold.a == body { (manifold.b, -normal) } else { (manifold.a, normal) };
+            let (other, normal) = if manifold.a == i { (manifold.b, -normal) } else { (manifold.a, normal) };
             reports.push(ContactReport {
-                other: (other != crate::body::FLOOR).then_some(other),
+                other: (other != FLOOR).then(|| cluster.ids[other as usize]),
                 point: center + axes * (place / force),
                 normal,
                 force,
@@ -225,7 +205,7 @@ impl World {
 
     /// Deepest overlap, m.
     pub fn penetration(&self) -> f64 {
-        let points = self.state.contacts.manifolds.iter().flat_map(|m| &m.points);
+        let points = self.clusters.list.iter().flat_map(|c| &c.contacts.manifolds).flat_map(|m| &m.points);
         points.fold(0.0, |deepest, p| f64::max(deepest, -p.gap))
     }
 
@@ -238,7 +218,7 @@ impl World {
         input.drives.retain(|d| known(d.body) && d.velocity.is_finite() && d.max_force >= 0.0);
         input.hand = input.hand.filter(|h| {
             known(h.body)
-                && !self.state.bodies.quarantined[h.body as usize]
+                && !self.quarantined(h.body)
                 && h.anchor.is_finite()
                 && h.target.is_finite()
                 && h.axis.is_finite()
@@ -254,77 +234,79 @@ impl World {
         input
     }
 
+    /// Whether a body was taken out of the play.
+    fn quarantined(&self, body: u32) -> bool {
+        let (cluster, i) = self.clusters.of(body);
+        cluster.bodies.quarantined[i]
+    }
+
+    /// Wakes a body and all that it touches.
+    fn wake(&mut self, body: u32) {
+        let (cluster, i) = self.clusters.of_mut(body);
+        rest::wake(&mut cluster.bodies, &cluster.contacts.manifolds, &[i as u32]);
+    }
+
     /// Wakes what the input acts on.
     pub(crate) fn rouse(&mut self, input: &Input) {
-        let gravity = input.gravity.unwrap_or(DVec3::new(0.0, 0.0, -self.scene_gravity));
+        let gravity = input.gravity.unwrap_or(self.setup.own_gravity());
         let mut who: Vec<u32> = input.forces.iter().map(|f| f.body).collect();
         who.extend(input.drives.iter().map(|d| d.body));
         who.extend(input.hand.iter().map(|h| h.body));
         // a hand or force that lets go changes the loads as well
-        who.extend(self.state.forces.iter().map(|f| f.body));
-        who.extend(self.state.aim.iter().map(|a| a.body));
-        if gravity != self.state.gravity {
+        who.extend(self.forces.iter().map(|f| f.body));
+        who.extend(self.aim.iter().map(|a| a.body));
+        if gravity != self.gravity {
             who = (0..self.len() as u32).collect();
         }
-        self.state.gravity = gravity;
-        rest::wake(&mut self.state.bodies, &self.state.contacts.manifolds, &who);
-    }
-
-    /// Gravity now, m/s²: that of the step, grown evenly over the ramp.
-    pub(crate) fn gravity(&self, input: &Input) -> DVec3 {
-        let gravity = input.gravity.unwrap_or(DVec3::new(0.0, 0.0, -self.scene_gravity));
-        let ramp = self.params.ramp;
-        if self.state.time < ramp { gravity * ((self.state.time / ramp).clamp(0.0, 1.0)) } else { gravity }
-    }
-
-    /// How many substeps may pass before the next sync.
-    pub(crate) fn substeps_until_sync(&self, speeds: &[f64]) -> usize {
-        let calm = self.state.time > self.params.ramp;
-        ((batch::longest(speeds, calm) / self.h).round() as usize).max(1)
+        self.gravity = gravity;
+        who.into_iter().for_each(|body| self.wake(body));
     }
 
     /// Keeps of the input what the next step continues from.
     pub(crate) fn remember(&mut self, input: &Input) {
-        self.state.aim = input.hand.as_ref().map(Aim::of);
-        self.state.forces.clone_from(&input.forces);
+        self.aim = input.hand.as_ref().map(Aim::of);
+        self.forces.clone_from(&input.forces);
     }
 
-    /// Fills in the report at the end of a step.
-    pub(crate) fn summarise(&mut self, input: &Input, report: &mut StepReport) {
+    /// Time and poses at the end of a step, and the report on it.
+    pub(crate) fn summarise(&mut self, input: &Input, outcomes: Vec<Outcome>) -> StepReport {
+        self.time += self.setup.substeps as f64 * self.setup.h;
         self.write_poses();
-        let bodies = &self.state.bodies;
-        let manifolds = &self.state.contacts.manifolds;
-        report.time = self.state.time;
-        report.manifolds = manifolds.len() as u32;
-        report.touching = manifolds.iter().flat_map(|m| &m.points).filter(|p| p.force > 0.0).count() as u32;
-        report.awake = (0..bodies.len()).filter(|&i| bodies.moves(i)).count() as u32;
-        let squares = bodies.velocity.iter().map(|v| v.length_squared());
-        report.max_speed = squares.clone().fold(0.0, f64::max).sqrt();
-        report.rms_speed = (squares.sum::<f64>() / bodies.len().max(1) as f64).sqrt();
-        if let (Some(to), Some(hand)) = (&mut report.hand, &input.hand) {
-            to.point = grasped(hand, bodies);
+        let mut report = StepReport { time: self.time, ..StepReport::default() };
+        let mut squares = 0.0;
+        for (cluster, outcome) in self.clusters.list.iter().zip(outcomes) {
+            report.substeps = report.substeps.max(outcome.substeps);
+            report.syncs += outcome.syncs;
+            report.detections += outcome.detections;
+            report.manifolds += cluster.contacts.manifolds.len() as u32;
+            let points = cluster.contacts.manifolds.iter().flat_map(|m| &m.points);
+            report.touching += points.filter(|p| p.force > 0.0).count() as u32;
+            report.awake += (0..cluster.len()).filter(|&i| cluster.bodies.moves(i)).count() as u32;
+            report.penetration = report.penetration.max(outcome.penetration);
+            for v in &cluster.bodies.velocity {
+                squares += v.length_squared();
+                report.max_speed = report.max_speed.max(v.length());
+            }
+            report.quarantined.extend(outcome.quarantined.iter().map(|&i| cluster.ids[i as usize]));
+            report.hand = report.hand.or(outcome.hand);
         }
+        report.quarantined.sort_unstable();
+        report.rms_speed = (squares / self.len().max(1) as f64).sqrt();
+        if let (Some(to), Some(hand)) = (&mut report.hand, &input.hand) {
+            let (cluster, i) = self.clusters.of(hand.body);
+            to.point = grasped(&hand.anchor, &cluster.bodies, i);
+        }
+        report
     }
 
     pub(crate) fn write_poses(&mut self) {
-        let bodies = &self.state.bodies;
-        self.poses.clear();
-        for (p, q) in bodies.position.iter().zip(&bodies.orientation) {
-            self.poses.extend([p.x, p.y, p.z, q.x, q.y, q.z, q.w]);
+        for cluster in &self.clusters.list {
+            let poses = cluster.bodies.position.iter().zip(&cluster.bodies.orientation);
+            for (&id, (p, q)) in cluster.ids.iter().zip(poses) {
+                self.poses[7 * id as usize..][..7].copy_from_slice(&[p.x, p.y, p.z, q.x, q.y, q.z, q.w]);
+            }
         }
     }
-}
-
-/// The mass that bounds the substep, kg: that of the lightest body for the stiffness of its largest face. The nominal block has a
-/// third to spare, so a block of the lightest wood does not shorten the step.
-fn step_mass(shapes: &Shapes) -> f64 {
-    let spare = 0.75;
-    let flat = 0.081 * 0.0268 / REFERENCE_AREA;
-    let bounds = shapes.half.iter().zip(&shapes.mass).map(|(half, mass)| {
-        let face = 4.0 * (half.x * half.y).max(half.y * half.z).max(half.z * half.x);
-        mass * flat / (face / REFERENCE_AREA).clamp(AREA_RANGE.0, AREA_RANGE.1)
-    });
-    bounds.map(|m| m / spare).fold(NOMINAL_MASS, f64::min)
 }
 
 fn check(params: &Params) -> Result<(), BuildError> {

@@ -29,5 +29,5 @@ pub use notation::{Cell, Notation};
 pub use preset::BlockPreset;
 pub use random::Random;
 pub use scene::{Block, Scene, standard_gravity, usual_stiffness};
-pub use tower::{LOOSE_BY, MAX_ROWS, TowerOptions, config, loose, tower};
+pub use tower::{FIELD_PITCH, LOOSE_BY, MAX_ROWS, TowerOptions, config, field, loose, tower};
 pub use validate::{MAX_BLOCKS, STIFFNESS};

@@ -75,6 +75,9 @@ pub const NAMED: &[NamedScene] = &[
     }),
     entry("block", "one block on the floor", Some(Stable), || stack(1)),
     entry("column", "ten blocks, one upon the other", Some(Stable), || stack(10)),
+    entry("field", "five towers of eight rows, too far apart to touch", Some(Stable), || {
+        known(tower::field(5, &TowerOptions { rows: 8, ..TowerOptions::default() }))
+    }),
     entry("pile", "forty blocks let fall", None, pile),
 ];
 

@@ -90,6 +90,35 @@ pub fn loose(text: &str, options: &TowerOptions) -> Result<Scene, SceneError> {
     Notation::from_loose_map(text)?.scene(options)
 }
 
+/// Distance between the axes of the towers of a field, m: none touches another, even when one falls whole.
+pub const FIELD_PITCH: f64 = 0.5;
+
+/// So many full towers in a square field about the origin, row by row; each has a seed of its own, counted from that of `options`.
+///
+/// # Errors
+/// As [`tower`], or when they have more blocks than a scene may have.
+pub fn field(towers: u32, options: &TowerOptions) -> Result<Scene, SceneError> {
+    let side = f64::from(towers).sqrt().ceil().max(1.0) as u32;
+    let middle = 0.5 * f64::from(side - 1);
+    let mut whole = tower(options)?;
+    let mut blocks = Vec::new();
+    for i in 0..towers {
+        let seed = options.seed.wrapping_add(u64::from(i));
+        let place = [f64::from(i % side) - middle, f64::from(i / side) - middle];
+        for mut block in tower(&TowerOptions { seed, ..options.clone() })?.blocks {
+            block.id = blocks.len() as u32;
+            for (x, place) in block.pos.iter_mut().zip(place) {
+                *x += FIELD_PITCH * place;
+            }
+            blocks.push(block);
+        }
+    }
+    whole.name = format!("field-{towers}-{}-{}-{}", options.block, options.rows, options.seed);
+    whole.blocks = blocks;
+    whole.validate()?;
+    Ok(whole)
+}
+
 pub(crate) fn build(name: &str, rows: &[[Cell; 3]], options: &TowerOptions) -> Result<Scene, SceneError> {
     let mass_sd = options.check(rows.len())?;
     let [length, width, height] = options.block.size();

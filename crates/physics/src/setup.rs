@@ -1,0 +1,78 @@
+//! What is the same for all bodies and frames of a world.
+
+use glam::DVec3;
+use teeter_scene::Scene;
+
+use crate::body::Shapes;
+use crate::constants::{AREA_RANGE, MAXWELL_TIME, NOMINAL_MASS, REFERENCE_AREA, STEP_FRACTION};
+use crate::kernel::Law;
+use crate::lanes::Real;
+use crate::params::Params;
+use crate::restitution::damping_ratio;
+
+/// What is the same for all bodies and frames of a world.
+#[derive(Debug, Clone, Copy)]
+pub struct Setup {
+    /// Gravity of the scene along -z, m/s².
+    pub gravity: f64,
+    /// Static and kinetic friction.
+    pub mu: (f64, f64),
+    /// Damping ratio.
+    pub zeta: f64,
+    /// Normal stiffness of a contact of the reference area, N/m.
+    pub stiffness: f64,
+    /// Substep, s, and how many make a frame.
+    pub h: f64,
+    pub substeps: usize,
+    /// Time that a frame covers, s.
+    pub frame: f64,
+    /// Time over which gravity grows, s.
+    pub ramp: f64,
+    /// Whether bodies may sleep.
+    pub sleep: bool,
+}
+
+impl Setup {
+    pub fn new(scene: &Scene, params: &Params, shapes: &Shapes) -> Self {
+        let longest = STEP_FRACTION * (step_mass(shapes) / scene.stiffness).sqrt();
+        let substeps = (params.frame / longest).ceil().max(1.0) as usize;
+        Self {
+            gravity: scene.gravity,
+            mu: (scene.friction, scene.kinetic_friction.unwrap_or(scene.friction)),
+            zeta: damping_ratio(scene.restitution),
+            stiffness: scene.stiffness,
+            h: params.frame / substeps as f64,
+            substeps,
+            frame: params.frame,
+            ramp: params.ramp,
+            sleep: params.sleep,
+        }
+    }
+
+    /// Gravity of the scene, m/s².
+    pub fn own_gravity(&self) -> DVec3 {
+        DVec3::new(0.0, 0.0, -self.gravity)
+    }
+
+    /// The constants of the inner loop.
+    pub fn law<R: Real>(&self) -> Law<R> {
+        Law {
+            h: R::from_f64(self.h),
+            keep: R::from_f64(1.0 - self.h / MAXWELL_TIME),
+            mu_kinetic: R::from_f64(self.mu.1),
+            mu_excess: R::from_f64(self.mu.0 - self.mu.1),
+        }
+    }
+}
+
+/// The mass that bounds the substep, kg: that of the lightest body for the stiffness of its largest face. The nominal block has a
+/// third to spare, so a block of the lightest wood does not shorten the step.
+fn step_mass(shapes: &Shapes) -> f64 {
+    let spare = 0.75;
+    let flat = 0.081 * 0.0268 / REFERENCE_AREA;
+    let bounds = shapes.half.iter().zip(&shapes.mass).map(|(half, mass)| {
+        let face = 4.0 * (half.x * half.y).max(half.y * half.z).max(half.z * half.x);
+        mass * flat / (face / REFERENCE_AREA).clamp(AREA_RANGE.0, AREA_RANGE.1)
+    });
+    bounds.map(|m| m / spare).fold(NOMINAL_MASS, f64::min)
+}

@@ -1,0 +1,108 @@
+//! Towers that cannot meet are stepped apart, and nobody can tell.
+
+mod common;
+
+use common::*;
+use glam::DVec3;
+use teeter_physics::{Drive, Input, Params, World};
+use teeter_scene::{Block, Scene, TowerOptions, tower};
+
+/// A tower, and another one `apart` (m) from it along x.
+fn two(apart: f64) -> (Scene, Scene) {
+    let alone = tower(&TowerOptions { rows: 6, seed: 3, ..TowerOptions::default() }).unwrap();
+    let other = tower(&TowerOptions { rows: 5, seed: 8, ..TowerOptions::default() }).unwrap();
+    let mut both = alone.clone();
+    let beside = |b: &Block| Block { id: b.id + 100, pos: [b.pos[0] + apart, b.pos[1], b.pos[2]], ..b.clone() };
+    both.blocks.extend(other.blocks.iter().map(beside));
+    (alone, both)
+}
+
+/// A row of the first tower is swept out at 1.5 m/s.
+fn sweep(frame: u32) -> Input {
+    let drive = |body| Drive { body, velocity: DVec3::new(0.0, 1.5, 0.0), max_force: 50.0 };
+    Input { drives: if (30..40).contains(&frame) { (3..6).map(drive).collect() } else { Vec::new() }, ..Input::default() }
+}
+
+#[test]
+fn a_tower_far_from_another_moves_as_if_it_were_alone_bit_for_bit() {
+    let (alone, both) = two(3.0);
+    for params in both_formats() {
+        let (mut one, mut two) = (World::new(&alone, params).unwrap(), World::new(&both, params).unwrap());
+        for frame in 0..150 {
+            one.step(&sweep(frame));
+            two.step(&sweep(frame));
+            assert_eq!(one.poses(), &two.poses()[..one.poses().len()], "frame {frame}");
+        }
+        let highest = (0..one.len()).map(|i| position(&one, i).z).fold(0.0, f64::max);
+        assert!(highest < 0.1, "the tower did not fall");
+    }
+}
+
+fn both_formats() -> [Params; 2] {
+    both().map(|params| Params { sleep: true, ..params })
+}
+
+#[test]
+fn what_is_shot_from_afar_hits_and_goes_through_nothing() {
+    let (mut scene, _) = two(1.0);
+    scene.blocks.push(Block { id: 99, size: SIZE, mass: MASS, pos: [0.6, 0.0, 0.05], yaw: 1.0 });
+    for speed in [0.5, 3.0, 12.0] {
+        let mut world = World::new(&scene, Params::default()).unwrap();
+        run(&mut world, 0.4, &Input { gravity: Some(DVec3::ZERO), ..Input::default() });
+        let shot = world.len() - 1;
+        world.set_velocity(shot as u32, DVec3::new(-speed, 0.0, 0.0), DVec3::ZERO);
+        let before = world.poses().to_vec();
+        let mut deepest: f64 = 0.0;
+        for _ in 0..120 {
+            deepest = deepest.max(world.step(&Input { gravity: Some(DVec3::ZERO), ..Input::default() }).penetration);
+        }
+        let moved = (0..shot).map(|i| (position(&world, i) - DVec3::from_slice(&before[7 * i..])).length()).fold(0.0, f64::max);
+        assert!(moved > 0.01, "at {speed} m/s nothing was hit");
+        assert!(deepest < 2e-3, "at {speed} m/s it was inside by {} mm", deepest * 1e3);
+        assert!(position(&world, shot).x > -0.1 || moved > 0.1, "at {speed} m/s it came out behind the tower");
+    }
+}
+
+#[test]
+fn a_block_that_is_turned_into_another_cluster_is_found_there() {
+    let mut world = World::new(&blocks(&[[0.0, 0.0, 0.009], [0.0, 0.05, 0.009]]), awake()).unwrap();
+    run(&mut world, 0.5, &Input::default());
+    // its end now reaches over where the other lies
+    world.set_orientation(1, glam::DQuat::from_rotation_z(std::f64::consts::FRAC_PI_2));
+    assert!(world.penetration() > 1e-3);
+    run(&mut world, 0.5, &Input::default());
+    assert!(position(&world, 0).distance(position(&world, 1)) > 0.051);
+}
+
+#[test]
+fn a_field_in_collapse_restores_bit_for_bit() {
+    let (_, both) = two(0.25);
+    let mut world = World::new(&both, Params::default()).unwrap();
+    for frame in 0..60 {
+        world.step(&sweep(frame));
+        if frame % 7 == 3 {
+            let mut other = World::new(&both, Params::default()).unwrap();
+            other.restore(&world.snapshot()).unwrap();
+            assert_eq!(other.hash(), world.hash());
+            let mut same = world.clone();
+            for later in frame + 1..frame + 12 {
+                assert_eq!(same.step(&sweep(later)), other.step(&sweep(later)));
+            }
+            assert_eq!(same.hash(), other.hash());
+        }
+    }
+}
+
+#[test]
+fn a_sleeping_tower_beside_a_falling_one_sleeps_on() {
+    let (alone, both) = two(3.0);
+    let mut world = World::new(&both, Params::default()).unwrap();
+    run(&mut world, 3.0, &Input::default());
+    let first = alone.blocks.len() as u32;
+    assert!((0..world.len() as u32).all(|i| world.asleep(i)));
+    for frame in 30..60 {
+        world.step(&sweep(frame));
+        assert!((first..world.len() as u32).all(|i| world.asleep(i)));
+    }
+    assert!(!world.asleep(3));
+}
