@@ -4,7 +4,7 @@
 use std::time::Duration;
 
 use criterion::{Criterion, SamplingMode, criterion_group, criterion_main};
-use teeter_cost::{Clocked, Fault, Workload};
+use teeter_cost::{Clocked, Fault, Workload, one_thread};
 use teeter_physics::Precision::{Double, Single};
 
 fn workloads() -> Result<Vec<Workload>, Fault> {
@@ -22,6 +22,7 @@ fn workloads() -> Result<Vec<Workload>, Fault> {
 }
 
 fn bench(c: &mut Criterion) {
+    one_thread().expect("nothing has asked for threads yet");
     let mut group = c.benchmark_group("frame");
     group.sample_size(10).sampling_mode(SamplingMode::Flat).warm_up_time(Duration::from_secs(1)).measurement_time(Duration::from_secs(4));
     for workload in workloads().expect("every workload can be built") {

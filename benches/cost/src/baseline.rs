@@ -90,7 +90,7 @@ pub fn compare(baseline: Option<&Baseline>, now: &[Count], compiler: &str, left_
         let growth = old.map(|old| count.instructions as f64 / old.instructions as f64 - 1.0);
         let per_frame = |c: &Count| grouped(c.instructions / u64::from(c.frames.max(1)));
         let fields = (old.map_or("-".into(), per_frame), growth.map_or("-".into(), |g| format!("{:+.2} %", 100.0 * g)));
-        let per_substep = grouped(count.instructions / u64::from(count.substeps.max(1)));
+        let per_substep = count.instructions.checked_div(u64::from(count.substeps)).map_or("-".into(), grouped);
         writeln!(table, "{:36}{:>18}{:>14}{:>10}{per_substep:>12}  {}", count.name, fields.0, per_frame(count), fields.1, count.hash)
             .expect("a string takes all");
         match (old, growth) {

@@ -15,7 +15,7 @@ mod workload;
 
 pub use baseline::{Baseline, COMPILER, Comparison, Count, compare};
 pub use node::Node;
-pub use stretch::{Clocked, Stretch, quartiles};
+pub use stretch::{Clocked, Stretch, one_thread, quartiles};
 pub use workload::{Workload, counted, swept};
 
 /// What went wrong, in one line.

@@ -3,6 +3,7 @@
 use std::time::Instant;
 
 use cpu_time::ThreadTime;
+use rayon::ThreadPoolBuilder;
 use serde::Deserialize;
 use teeter_physics::{Input, World};
 
@@ -53,6 +54,14 @@ impl Clocked {
         let frames = frames.collect();
         Ok(Stretch { cpu: 1e3 * cpu.elapsed().as_secs_f64(), frames, hash: hex(self.world.hash()) })
     }
+}
+
+/// From here on worlds are stepped in this thread alone, however many parts of them could be stepped side by side.
+///
+/// # Errors
+/// When rayon has its threads already.
+pub fn one_thread() -> Result<(), Fault> {
+    ThreadPoolBuilder::new().num_threads(1).use_current_thread().build_global().map_err(|e| e.to_string())
 }
 
 /// The quartiles of some numbers: a quarter of them is below the first, half below the second.

@@ -6,7 +6,7 @@
 use std::path::Path;
 use std::process::Command;
 
-use teeter_cost::{Count, Fault, Workload, hex};
+use teeter_cost::{Count, Fault, Workload, hex, one_thread};
 use teeter_physics::{Input, World};
 
 /// Plays frames; returns the substeps done. Callgrind finds it by this name, so it must neither be renamed nor become a part of its
@@ -22,6 +22,8 @@ fn teeter_counted(world: &mut World, inputs: &[Input]) -> u32 {
 /// # Errors
 /// When the state is none of this workload.
 pub fn play(workload: &Workload, state: &Path) -> Result<(u32, String), Fault> {
+    // callgrind counts in the thread that has entered the function
+    one_thread()?;
     let bytes = std::fs::read(state).map_err(|e| format!("{}: {e}", state.display()))?;
     let (mut world, inputs) = (workload.world()?, workload.measured());
     world.restore(&bytes).map_err(|e| e.to_string())?;

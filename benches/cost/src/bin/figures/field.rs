@@ -1,4 +1,4 @@
-//! Sixty-four towers and the threads that step them.
+//! Many towers, each in a world of its own or all in one, and the threads that step them.
 
 use std::time::Instant;
 
@@ -6,14 +6,12 @@ use rayon::prelude::*;
 use rayon::{ThreadPool, ThreadPoolBuilder};
 use teeter_cost::{Fault, Stretch, hex};
 use teeter_physics::{Input, Params, World};
-use teeter_scene::{TowerOptions, tower};
+use teeter_scene::{Scene, TowerOptions, field, tower};
 
-/// Towers in the field.
-pub const TOWERS: u64 = 64;
-/// Frames in which they settle, and frames that are measured.
+/// Frames in which towers settle, and frames that are measured.
 const FRAMES: (usize, usize) = (120, 10);
 
-/// Worlds of one tower each, no two alike, all awake and settled.
+/// Towers that stand and are kept awake, no two alike.
 #[derive(Debug, Clone)]
 pub struct Field {
     worlds: Vec<World>,
@@ -21,26 +19,40 @@ pub struct Field {
 }
 
 impl Field {
-    /// Builds and settles them.
-    pub fn new() -> Result<Self, Fault> {
-        let settled = |seed| {
-            let scene = tower(&TowerOptions { seed, ..TowerOptions::default() }).map_err(|e| e.to_string())?;
-            let mut world = World::new(&scene, Params { sleep: false, ..Params::default() }).map_err(|e| e.to_string())?;
-            (0..FRAMES.0).for_each(|_| drop(world.step(&Input::default())));
-            Ok(world)
-        };
-        let worlds: Vec<World> = (1..=TOWERS).into_par_iter().map(settled).collect::<Result<_, Fault>>()?;
-        Ok(Self { states: worlds.iter().map(World::snapshot).collect(), worlds })
+    /// So many worlds of one tower.
+    pub fn apart(towers: u32, pool: &ThreadPool) -> Result<Self, Fault> {
+        let options = |i| TowerOptions { seed: 1 + u64::from(i), ..TowerOptions::default() };
+        let scenes: Result<Vec<Scene>, _> = (0..towers).map(|i| tower(&options(i))).collect();
+        Self::settled(&scenes.map_err(|e| e.to_string())?, pool)
     }
 
-    /// Steps all worlds side by side, frame by frame.
+    /// The same towers in one world, side by side.
+    pub fn together(towers: u32, pool: &ThreadPool) -> Result<Self, Fault> {
+        Self::settled(&[field(towers, &TowerOptions::default()).map_err(|e| e.to_string())?], pool)
+    }
+
+    fn settled(scenes: &[Scene], pool: &ThreadPool) -> Result<Self, Fault> {
+        let params = Params { sleep: false, ..Params::default() };
+        let worlds: Result<Vec<World>, _> = scenes.iter().map(|scene| World::new(scene, params)).collect();
+        let mut it = Self { worlds: worlds.map_err(|e| e.to_string())?, states: Vec::new() };
+        (0..FRAMES.0).for_each(|_| it.step(pool));
+        it.states = it.worlds.iter().map(World::snapshot).collect();
+        Ok(it)
+    }
+
+    /// One frame: the worlds side by side, and what is side by side in each.
+    fn step(&mut self, pool: &ThreadPool) {
+        pool.install(|| self.worlds.par_iter_mut().for_each(|world| drop(world.step(&Input::default()))));
+    }
+
+    /// Plays the measured frames.
     pub fn play(&mut self, pool: &ThreadPool) -> Result<Stretch, Fault> {
         for (world, state) in self.worlds.iter_mut().zip(&self.states) {
             world.restore(state).map_err(|e| e.to_string())?;
         }
         let frames = (0..FRAMES.1).map(|_| {
             let start = Instant::now();
-            pool.install(|| self.worlds.par_iter_mut().for_each(|world| drop(world.step(&Input::default()))));
+            self.step(pool);
             1e3 * start.elapsed().as_secs_f64()
         });
         let frames: Vec<f64> = frames.collect();

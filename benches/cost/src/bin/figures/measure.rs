@@ -3,7 +3,7 @@
 use std::cell::RefCell;
 use std::rc::Rc;
 
-use teeter_cost::{Clocked, Fault, Node, Stretch, Workload, swept};
+use teeter_cost::{Clocked, Fault, Node, Stretch, Workload, one_thread, swept};
 use teeter_physics::{Precision, Width};
 
 use crate::field::{Field, threads};
@@ -18,7 +18,10 @@ pub mod name {
     pub const ROWS_6: &str = "6 rows";
     pub const ROWS_60: &str = "60 rows";
     pub const SWAYING: &str = "swaying";
-    pub const WORLDS: &str = "64 worlds";
+    pub const APART_64: &str = "64 towers apart";
+    pub const TOGETHER_64: &str = "64 towers in a world";
+    pub const APART_200: &str = "200 towers apart";
+    pub const TOGETHER_200: &str = "200 towers in a world";
     pub const NATIVE: &str = "native";
     pub const AVX2: &str = "native, AVX2";
     pub const SIMD128: &str = "simd128";
@@ -46,8 +49,9 @@ impl Timed {
     }
 }
 
-/// Everything that is timed, settled.
+/// Everything that is timed, settled. What is not said to have more threads has one.
 pub fn all() -> Result<Vec<Timed>, Fault> {
+    one_thread()?;
     let mut timed = Vec::new();
     let builds = [name::SIMD128, name::SCALAR];
     let nodes: Vec<_> = builds.iter().map(|build| Ok(Rc::new(RefCell::new(Node::start(build)?)))).collect::<Result<_, Fault>>()?;
@@ -73,11 +77,18 @@ pub fn all() -> Result<Vec<Timed>, Fault> {
     }
     let mut clocked = Clocked::new(&Workload::awake(18, 1e6, Precision::Single)?.in_width(Width::Avx2))?;
     timed.push(Timed::new(name::AWAKE, name::AVX2, move || clocked.play()));
-    eprintln!("{} settle", name::WORLDS);
-    let field = Field::new()?;
-    for (way, count) in [(name::ONE_THREAD, 1), (name::TWO_THREADS, 2)] {
-        let (mut field, pool) = (field.clone(), threads(count)?);
-        timed.push(Timed::new(name::WORLDS, way, move || field.play(&pool)));
+    let (one, two) = (Rc::new(threads(1)?), Rc::new(threads(2)?));
+    let fields = [
+        (name::APART_64, Field::apart(64, &two)?, &[(name::ONE_THREAD, &one), (name::TWO_THREADS, &two)][..]),
+        (name::TOGETHER_64, Field::together(64, &two)?, &[(name::ONE_THREAD, &one), (name::TWO_THREADS, &two)][..]),
+        (name::APART_200, Field::apart(200, &two)?, &[(name::ONE_THREAD, &one)][..]),
+        (name::TOGETHER_200, Field::together(200, &two)?, &[(name::ONE_THREAD, &one)][..]),
+    ];
+    for (what, field, ways) in fields {
+        for &(way, pool) in ways {
+            let (mut field, pool) = (field.clone(), Rc::clone(pool));
+            timed.push(Timed::new(what, way, move || field.play(&pool)));
+        }
     }
     Ok(timed)
 }

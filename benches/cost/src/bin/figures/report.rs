@@ -19,6 +19,7 @@ pub fn markdown(figures: &[Figure], rounds: usize) -> String {
             Goal::None => String::new(),
             Goal::AtMost(most) => format!("at most {most}{unit}"),
             Goal::AtLeast(least) => format!("at least {least}{unit}"),
+            Goal::About(about) => format!("{about}{unit}, give or take 5 %"),
         };
         let met = figure.goal.met(figure.value()).map_or("", |met| if met { "yes" } else { "no" });
         let [low, _, high] = figure.quartiles;
