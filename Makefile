@@ -1,5 +1,5 @@
 # `make play` and `make test` set up what is missing. What is longer than a line or two is in tools/.
-.PHONY: help play page test golden check format bench peers clean setup
+.PHONY: help play page test golden check format bench counts figures peers clean setup
 
 help: ## Say what there is
 	@sed -n 's/^\([a-z]*\):.*## /\1\t/p' $(MAKEFILE_LIST) | column -t -s '	'
@@ -34,10 +34,18 @@ format: ## Format everything
 	cargo fmt --all
 	cd web && npm run format
 
-bench: page ## Measure the engine, and the page in headless Chromium
+bench: page ## Measure everything: frames, figures, the page in headless Chromium, and instructions
 	tools/setup browser
-	cargo bench --locked -p teeter-physics
+	cargo bench --locked -p teeter-cost --bench frame
+	tools/figures --rounds 15
 	cd web && npm run speed
+	tools/counts check
+
+counts: ## Count the instructions of the engine; fails where one costs more than was accepted
+	tools/counts check
+
+figures: ## Measure what a tower costs natively and in WebAssembly, and write docs/performance.md
+	tools/figures
 
 peers: ## Measure the engine beside Rapier and Box3D, and write docs/performance.md
 	tools/peers

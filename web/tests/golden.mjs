@@ -3,30 +3,16 @@
 
 import { readFile } from 'node:fs/promises';
 import { fileURLToPath } from 'node:url';
+import { BUILDS, load } from './engine.mjs';
 
-const root = new URL('../../', import.meta.url);
-const data = name => readFile(new URL(`data/golden/${name}`, root), 'utf8');
-
-/** Folders of the builds. */
-export const BUILDS = { simd128: 'web/src/wasm/', scalar: 'web/wasm-scalar/' };
+const data = name => readFile(new URL(`../../data/golden/${name}`, import.meta.url), 'utf8');
 
 /** The results that every build must give. */
 export const golden = async () => JSON.parse(await data('hashes.json')).runs;
 
-/** The wasm of a build, as bytes. */
-export async function bytes(build) {
-  try {
-    return await readFile(new URL(`${BUILDS[build]}teeter_wasm_bg.wasm`, root));
-  } catch {
-    throw new Error(`${BUILDS[build]} is missing: run tools/build-wasm${build === 'scalar' ? ' scalar' : ''}`);
-  }
-}
-
 /** Plays all runs on a build: [{ name, step_of_rest, hash }]. */
 export async function play(build) {
-  const module_or_path = await bytes(build);
-  const { default: init, Simulation, namedScene } = await import(new URL(`${BUILDS[build]}teeter_wasm.js`, root).href);
-  await init({ module_or_path });
+  const { Simulation, namedScene } = await load(build);
   const outcomes = [];
   for (const { name, scene, stiffness, params, steps, inputs } of JSON.parse(await data('runs.json'))) {
     const lines = inputs ? (await data(inputs)).split('\n') : [];

@@ -2,7 +2,9 @@
 
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
-import { BUILDS, bytes, golden, play } from './golden.mjs';
+import { Clocked } from './cost.mjs';
+import { BUILDS, bytes, load } from './engine.mjs';
+import { golden, play } from './golden.mjs';
 
 for (const build of Object.keys(BUILDS)) {
   test(`wasm ${build} gives the golden results`, async () => {
@@ -11,6 +13,17 @@ for (const build of Object.keys(BUILDS)) {
     assert.deepEqual(await play(build), expected);
   });
 }
+
+test('a workload that is measured plays the golden run, each time', async () => {
+  const face = await load('simd128');
+  const { hash } = (await golden()).find(run => run.name === 'rest');
+  const clocked = new Clocked(face, { scene: JSON.parse(face.namedScene('tower')), params: {}, inputs: [], settle: 100, frames: 20 });
+  for (let i = 0; i < 2; i++) {
+    const stretch = clocked.play();
+    assert.equal(stretch.hash, hash);
+    assert.equal(stretch.frames.length, 20);
+  }
+});
 
 test('one build has vectors and the other has none', async () => {
   const features = async build => {

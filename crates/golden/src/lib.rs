@@ -11,7 +11,7 @@ mod runs;
 
 pub use matrix::{Cell, table};
 pub use record::record;
-pub use results::{Golden, Minted, mint};
+pub use results::{Golden, Minted, mint, reason};
 pub use runs::{Outcome, Run, play_all, runs};
 
 /// What went wrong, in one line.

@@ -48,15 +48,24 @@ impl Golden {
 /// Words that a reason needs: fewer say nothing to who reads it later.
 const REASON_WORDS: usize = 4;
 
+/// The reason for which something committed may change, trimmed.
+///
+/// # Errors
+/// When it is too short to be one, naming what it is that may not change without.
+pub fn reason<'a>(what: &str, text: &'a str) -> Result<&'a str, Fault> {
+    let text = text.trim();
+    if text.split_whitespace().count() < REASON_WORDS {
+        return Err(format!("{what} may change for a reason only: say in {REASON_WORDS} words or more what changed them"));
+    }
+    Ok(text)
+}
+
 /// Plays all runs and makes what comes of them the golden results; says which changed.
 ///
 /// # Errors
 /// When the reason is not one, or when two widths disagree: that is a fault of the engine and nothing to mint.
 pub fn mint(dir: &Path, reason: &str) -> Result<Vec<String>, Fault> {
-    let reason = reason.trim();
-    if reason.split_whitespace().count() < REASON_WORDS {
-        return Err(format!("the bits may change for a reason only: say in {REASON_WORDS} words or more what changed them"));
-    }
+    let reason = self::reason("the bits", reason)?;
     let runs = runs(dir)?;
     let outcomes = play_all(&runs, Width::Auto, 2)?;
     for (run, (one, other)) in runs.iter().zip(outcomes.iter().zip(play_all(&runs, Width::Portable, 2)?)) {
