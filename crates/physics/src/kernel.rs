@@ -358,8 +358,7 @@ fn contact<L: Lanes>(
     // relative velocity at the reference point and relative spin, B over A; then at the centroid, along the frame
     let d = L::columns(|l| L::Row::read(row(velocity, group.b[first + l])) - L::Row::read(row(velocity, group.a[first + l])));
     let dw = [d[4], d[5], d[6]];
-    let arm = load3::<L>(&group.arm, part);
-    let frame = [load3(&group.frame[0], part), load3(&group.frame[1], part), load3(&group.frame[2], part)];
+    let (arm, frame) = geometry::<L>(group, part);
     let turning = cross(&dw, &arm);
     let v = into_frame(&frame, &[d[0] + turning[0], d[1] + turning[1], d[2] + turning[2]]);
     let w = into_frame(&frame, &dw);
@@ -370,7 +369,9 @@ fn contact<L: Lanes>(
         spring(point, part, keep, law, relaxation, &v, &w, &mut sum);
     }
 
-    // one force and one moment about the reference point, equal and opposite on the two
+    // one force and one moment about the reference point, equal and opposite on the two; vector registers are too few to keep the
+    // geometry until here, and storing it elsewhere would cost more than loading it again
+    let (arm, frame) = if L::WIDTH == 1 { (arm, frame) } else { geometry::<L>(group, part) };
     let f = out_of_frame(&frame, &sum.f);
     let m = out_of_frame(&frame, &sum.m);
     let t = cross(&arm, &f);
@@ -382,6 +383,12 @@ fn contact<L: Lanes>(
         let b = row_mut(force, group.b[first + l]);
         (L::Row::read(b) + on_b).write(b);
     }
+}
+
+/// Arm and frame of a part of a group.
+#[inline(always)]
+fn geometry<L: Lanes>(group: &Group<L::Number>, part: usize) -> ([L; 3], [[L; 3]; 3]) {
+    (load3(&group.arm, part), [load3(&group.frame[0], part), load3(&group.frame[1], part), load3(&group.frame[2], part)])
 }
 
 /// Force and moment about the centroid along normal, tangent, tangent.
@@ -414,37 +421,48 @@ fn spring<L: Lanes>(
     // normal: a spring, a damper and a Maxwell element, that do not pull; an open point has no stiffness
     let gap = load::<L>(&p.gap, part) + vn;
     let closed = gap.less(zero);
+    gap.store(&mut p.gap.0, part);
+    // a wider register is hardly ever open in all lanes
+    if L::WIDTH == 1 && !L::any(closed) {
+        zero.store(&mut p.creep.0, part);
+        zero.store(&mut p.stretch[0].0, part);
+        zero.store(&mut p.stretch[1].0, part);
+        if keep {
+            zero.store(&mut p.normal.0, part);
+        }
+        return;
+    }
     let creep = L::only(closed, load::<L>(&p.creep, part) * L::splat(law.keep) + vn);
     let k = L::only(closed, load::<L>(&p.stiffness, part));
-    let n = -(k * ((gap + creep) + relaxation * vn));
-    let n = L::only(zero.less(n), n);
-    gap.store(&mut p.gap.0, part);
+    // towards each other is negative here
+    let pull = k * ((gap + creep) + relaxation * vn);
+    let pull = L::only(pull.less(zero), pull);
     creep.store(&mut p.creep.0, part);
     if keep {
-        n.store(&mut p.normal.0, part);
+        (zero - pull).store(&mut p.normal.0, part);
     }
 
     // tangential: a spring and a damper within Coulomb's cone
-    let kt = L::number(TANGENTIAL_STIFFNESS);
-    let ct = L::number(TANGENTIAL_DAMPING) * relaxation;
+    let kt = L::number(TANGENTIAL_STIFFNESS) * k;
+    let ct = L::number(TANGENTIAL_DAMPING / TANGENTIAL_STIFFNESS) * relaxation;
     let mut s1 = L::only(closed, load::<L>(&p.stretch[0], part) + u1);
     let mut s2 = L::only(closed, load::<L>(&p.stretch[1], part) + u2);
-    let (mut g1, mut g2) = (k * (kt * s1 + ct * u1), k * (kt * s2 + ct * u2));
-    let limit = L::splat(law.mu_kinetic) * n;
+    let (mut g1, mut g2) = (kt * (s1 + ct * u1), kt * (s2 + ct * u2));
+    let limit = L::splat(law.mu_kinetic) * pull;
     let square = g1 * g1 + g2 * g2;
     if L::any((limit * limit).less(square)) {
-        let q = slide(law, n, u1 * u1 + u2 * u2, square);
+        let q = slide(law, -pull, u1 * u1 + u2 * u2, square);
         (s1, s2, g1, g2) = (s1 * q, s2 * q, g1 * q, g2 * q);
     }
     s1.store(&mut p.stretch[0].0, part);
     s2.store(&mut p.stretch[1].0, part);
 
-    sum.f[0] += n;
+    sum.f[0] -= pull;
     sum.f[1] -= g1;
     sum.f[2] -= g2;
     sum.m[0] -= q1 * g2 - q2 * g1;
-    sum.m[1] += r2 * n;
-    sum.m[2] -= r1 * n;
+    sum.m[1] -= r2 * pull;
+    sum.m[2] += r1 * pull;
 }
 
 /// What brings friction and its springs back to Coulomb's cone, from the squares of speed and friction. The cone narrows from static to

@@ -2,7 +2,7 @@
 //! accelerated, and with all that it touches.
 
 use crate::body::{Bodies, FLOOR, Shapes};
-use crate::constants::{REST_ACCELERATION, REST_TIME, REST_TRAVEL};
+use crate::constants::{LEAST_BOUND, REST_ACCELERATION, REST_TIME, REST_TRAVEL};
 use crate::island::islands;
 use crate::manifold::Manifold;
 
@@ -73,7 +73,8 @@ pub fn wake(bodies: &mut Bodies, manifolds: &[Manifold], who: &[u32]) {
     }
 }
 
-/// Sleeping bodies that something awake touches, or will soon.
+/// Sleeping bodies that something awake touches, or will soon. What lies still beside them without touching does not wake them: such
+/// neighbours would wake each other in turn for ever.
 pub fn disturbed(bodies: &Bodies, manifolds: &[Manifold], reach: &[f64]) -> Vec<u32> {
     let mut who = Vec::new();
     for manifold in manifolds.iter().filter(|m| m.a != FLOOR) {
@@ -81,7 +82,8 @@ pub fn disturbed(bodies: &Bodies, manifolds: &[Manifold], reach: &[f64]) -> Vec<
         if bodies.asleep[a] == bodies.asleep[b] || bodies.quarantined[a] || bodies.quarantined[b] {
             continue;
         }
-        if manifold.points.iter().any(|p| p.gap <= reach[a] + reach[b]) {
+        let approach = (reach[a] + reach[b] - 2.0 * LEAST_BOUND).max(0.0);
+        if manifold.points.iter().any(|p| p.gap < approach) {
             who.push(if bodies.asleep[a] { manifold.a } else { manifold.b });
         }
     }

@@ -82,6 +82,16 @@ fn what_a_sleeper_rests_on_cannot_be_taken_away_unnoticed() {
 }
 
 #[test]
+fn neighbours_that_do_not_touch_let_each_other_sleep() {
+    let mut world = World::new(&blocks(&[[0.0, 0.0, 0.009], [0.0, 0.026803, 0.009], [0.0, -0.026803, 0.009]]), Params::default()).unwrap();
+    run(&mut world, 0.5, &Input::default());
+    // one comes to rest later than the others
+    world.set_velocity(0, DVec3::new(0.05, 0.0, 0.0), DVec3::ZERO);
+    let report = run(&mut world, 3.0, &Input::default());
+    assert_eq!(report.awake, 0);
+}
+
+#[test]
 fn sleep_never_stops_what_is_falling_slowly() {
     // a block that stands on its end, out of balance by 10 um at the top: it stays below 0.05 m/s for most of a second
     let half = 0.0405;
