@@ -29,7 +29,7 @@ pub fn speeds(shapes: &Shapes, bodies: &Bodies, manifolds: &[Manifold]) -> Vec<f
     speeds
 }
 
-/// Whether nothing is going on.
+/// Whether nothing is going on at this speed, m/s.
 pub fn quiet(speed: f64) -> bool {
     speed < QUIET_SPEED
 }

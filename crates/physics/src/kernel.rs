@@ -1,7 +1,7 @@
 //! The inner loop: many substeps of contact law and integration over packed groups of contacts, in single or double precision.
 //!
 //! A lane holds a contact (or a body) of its own, never a part of a sum, and forces are added to the bodies in the order of the
-//! groups: how wide the machine's registers are changes nothing in the result. No position is held here, only the small
+//! lanes, group by group: how wide the machine's registers are changes nothing in the result. No position is held here, only the small
 //! displacements since the last sync; a gap formed from f32 positions would be wrong by 30 nm. Velocities are ways in a substep, which
 //! saves the multiplications by its length.
 //!
@@ -55,7 +55,7 @@ pub struct Group<R> {
     pub b: [u32; LANES],
     /// Normal and tangents in the world.
     pub frame: [[Lane<R>; 3]; 3],
-    /// Centroid from the island's reference point, m.
+    /// Centroid from the cluster's reference point, m.
     pub arm: [Lane<R>; 3],
     /// Damping over stiffness, substeps.
     pub relaxation: Lane<R>,
@@ -124,7 +124,7 @@ pub struct BodyLanes<R> {
     /// Velocity of the centre and spin, m and rad per substep.
     pub velocity: [Lane<R>; 3],
     pub spin: [Lane<R>; 3],
-    /// Centre from the island's reference point, m.
+    /// Centre from the cluster's reference point, m.
     pub offset: [Lane<R>; 3],
     /// h² / m: what a force of 1 N adds to the velocity in a substep.
     pub ease: Lane<R>,
@@ -152,7 +152,7 @@ pub struct Law<R> {
     pub stribeck: R,
 }
 
-/// The packed world between two syncs.
+/// The packed cluster, for a frame.
 #[derive(Debug, Clone, Default)]
 pub struct Kernel<R> {
     /// Registers to work in.
@@ -160,10 +160,10 @@ pub struct Kernel<R> {
     pub width: Width,
     /// Contacts.
     pub groups: Vec<Group<R>>,
-    /// Velocities as of a body that reaches to the reference point of its island, where the velocities of two bodies can be
+    /// Velocities as of a body that reaches to the reference point of the cluster, where the velocities of two bodies can be
     /// subtracted without asking where their centres are; the last row is the floor, at rest.
     pub velocity: Vec<Row<R>>,
-    /// Forces other than contact, weight and applied ones, and their torques about the reference point.
+    /// Weight and applied forces, the same in each substep of a run, and their torques about the reference point.
     pub load: Vec<Row<R>>,
     /// Sums of forces of the present substep.
     pub force: Vec<Row<R>>,

@@ -4,7 +4,8 @@
 //! cone (Cundall and Strack 1979), and time goes in many small explicit steps. There is no iterative solver and no resting case.
 //! [`World::step`] is the whole of it; `step.rs` is its table of contents.
 //!
-//! No input or output, no clock, no random numbers, no global state. SI units; z is up, the floor is z = 0.
+//! No input or output, no clock, no random numbers, no global state, no thread of its own: with the feature `parallel`, bodies that
+//! cannot meet are stepped side by side in rayon's current pool. SI units; z is up, the floor is z = 0.
 //!
 //! ```
 //! use teeter_physics::{Input, Params, World};

@@ -232,9 +232,10 @@ fn load_points<R: Real>(group: &mut Group<R>, l: usize, entry: &Entry, manifold:
 
 /// Stiffness (N/m) and damping (N s/m) of a manifold, as much of them as the explicit step can hold.
 ///
-/// A mode of stiffness k and damping c on the mobility X is stable while 2 k X h² + 2 c X h < 4; the Maxwell element doubles k. In
-/// a column of blocks that rock against each other each has a contact on both sides, which leaves 2 for one; the floor has but one
-/// side. Crossed blocks are far below the limit, blocks lying flat on each other would be above it.
+/// A mode of stiffness k and damping c on the mobility X is stable while 2 k X h² + 2 c X h < 4; the Maxwell element doubles k. That
+/// is for a contact alone: [`STEP_LIMIT`] and [`FLOOR_STEP_LIMIT`] are what one may use that has others beside it. Stiffness is held to
+/// 0.6 of that and damping to what stiffness leaves. Nominal blocks that cross are within it, for the substep follows from them, see
+/// [`crate::setup`]; blocks lying flat on each other would be above it.
 fn springs(manifold: &Manifold, shapes: &Shapes, setup: &Setup) -> (f64, f64) {
     let inv = |i: u32| if i == FLOOR { 0.0 } else { shapes.mass[i as usize].recip() };
     let mass = (inv(manifold.a) + inv(manifold.b)).recip();

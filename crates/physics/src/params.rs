@@ -28,7 +28,7 @@ pub enum Width {
     Sse2,
     /// 256 bits.
     Avx2,
-    /// 512 bits in single precision.
+    /// 512 bits in single precision, 256 in double.
     Avx512,
 }
 

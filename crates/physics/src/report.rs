@@ -8,9 +8,9 @@ use serde::Serialize;
 pub struct StepReport {
     /// Simulated time at the end of the step, s.
     pub time: f64,
-    /// Force evaluations.
+    /// Substeps that were run; of clusters stepped apart, those of the one with most.
     pub substeps: u32,
-    /// Times that poses and gaps were made exact again.
+    /// Runs of the inner loop between two syncs, over all clusters.
     pub syncs: u32,
     /// Pairs on which detection ran.
     pub detections: u32,

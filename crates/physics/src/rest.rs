@@ -1,5 +1,5 @@
-//! Rest and sleep. Sleep saves work and never judges stability: a body sleeps when it has not moved by 5 um and is not
-//! accelerated, and with all that it touches.
+//! Rest and sleep. Sleep saves work and never judges stability: a body sleeps when for a while it has moved by no more than
+//! [`REST_TRAVEL`] and was not accelerated, and with all that it touches.
 
 use crate::body::{Bodies, FLOOR, Shapes};
 use crate::constants::{LEAST_BOUND, REST_ACCELERATION, REST_TIME, REST_TRAVEL};

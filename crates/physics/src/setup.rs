@@ -68,7 +68,7 @@ impl Setup {
 }
 
 /// The substep times sqrt(k / m) that a damping ratio allows: where 2 k X h² + 2 c X h = [`STEP_LIMIT`] for the contact of
-/// [`CROSSED_MOBILITY`], with c = 2 zeta sqrt(k m / 2). See [`crate::pack`] for the condition. From 0.14 to 0.19.
+/// [`CROSSED_MOBILITY`], with c = 2 zeta sqrt(k m / 2). See [`crate::pack`] for the condition. From 0.14 to 0.20.
 fn step_fraction(zeta: f64) -> f64 {
     let spring = 2.0 * CROSSED_MOBILITY;
     let damper = 2.0 * CROSSED_MOBILITY * zeta * std::f64::consts::SQRT_2;

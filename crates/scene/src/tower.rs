@@ -104,7 +104,7 @@ pub fn loose(text: &str, options: &TowerOptions) -> Result<Scene, SceneError> {
     Notation::from_loose_map(text)?.scene(options)
 }
 
-/// Distance between the axes of the towers of a field, m: none touches another, even when one falls whole.
+/// Distance between the axes of the towers of a field, m: one of 18 rows touches no other, even when it falls whole.
 pub const FIELD_PITCH: f64 = 0.5;
 
 /// So many full towers in a square field about the origin, row by row; each has a seed of its own, counted from that of `options`.
