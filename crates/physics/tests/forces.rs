@@ -1,0 +1,44 @@
+//! The force that starts a block sliding, in single precision against double: from one settled tower, both feel the same.
+
+mod common;
+
+use common::*;
+use glam::DVec3;
+use teeter_physics::{AppliedForce, Input, Params, Precision, World};
+use teeter_scene::{TowerOptions, tower};
+
+/// The force along the block's long axis at which it has moved by 0.5 mm, grown by 0.25 N/s, N.
+fn starts_at(world: &mut World, body: usize) -> f64 {
+    let axis = orientation(world, body) * DVec3::X;
+    let start = position(world, body);
+    let mut force = 0.0;
+    while (position(world, body) - start).dot(axis) < 5e-4 {
+        force += 0.25 * world.params().frame;
+        assert!(force < 8.0, "block {body} does not start");
+        let forces = vec![AppliedForce { body: body as u32, point: DVec3::ZERO, force: axis * force }];
+        world.step(&Input { forces, ..Input::default() });
+    }
+    force
+}
+
+#[test]
+fn single_precision_feels_the_forces_of_double() {
+    let scene = tower(&TowerOptions::default()).unwrap();
+    let [single, double] = [Precision::Single, Precision::Double]
+        .map(|precision| World::new(&scene, Params { sleep: false, precision, ..Params::default() }).unwrap());
+    let mut settled = double.clone();
+    run(&mut settled, 5.0, &Input::default());
+    let state = settled.snapshot();
+    let mut loose = 0;
+    for body in (0..settled.len()).step_by(5) {
+        let [one, other] = [&single, &double].map(|world| {
+            let mut world = world.clone();
+            world.restore(&state).unwrap();
+            starts_at(&mut world, body)
+        });
+        loose += usize::from(other < 0.15);
+        // a frame more or less is 0.004 N
+        assert!((one - other).abs() < 0.01, "block {body}: {one} N and {other} N");
+    }
+    assert!((1..8).contains(&loose), "{loose} of the blocks are loose");
+}
