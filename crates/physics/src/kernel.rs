@@ -10,7 +10,7 @@
 
 use glam::DVec3;
 
-use crate::constants::{GUARD_SUBSTEPS, TANGENTIAL_DAMPING, TANGENTIAL_STIFFNESS};
+use crate::constants::GUARD_SUBSTEPS;
 use crate::drive::Servo;
 use crate::hand::Pull;
 #[cfg(target_arch = "x86_64")]
@@ -145,6 +145,9 @@ pub struct BodyLanes<R> {
 pub struct Law<R> {
     /// What is left of the Maxwell element after a substep.
     pub keep: R,
+    /// Tangential over normal stiffness, and damping over stiffness tangentially over normally.
+    pub tangential: R,
+    pub tangential_relaxation: R,
     /// Kinetic friction, and by how much static friction is above it.
     pub mu_kinetic: R,
     pub mu_excess: R,
@@ -214,10 +217,10 @@ impl<R: Real> Kernel<R> {
 
     #[inline(always)]
     fn run_in<L: Lanes<Number = R>>(&mut self, law: &Law<R>, substeps: usize, actors: &mut Actors) -> usize {
+        self.force.copy_from_slice(&self.load);
         for done in 0..substeps {
             let look = done % GUARD_SUBSTEPS == GUARD_SUBSTEPS - 1;
             let keep = look || done + 1 == substeps;
-            self.force.copy_from_slice(&self.load);
             for group in &mut self.groups {
                 for part in 0..LANES / L::WIDTH {
                     contact::<L>(group, part, keep, law, &self.velocity, &mut self.force);
@@ -229,7 +232,7 @@ impl<R: Real> Kernel<R> {
                 for part in 0..filled {
                     let first = LANES * i + L::WIDTH * part;
                     let rows = first..first + L::WIDTH;
-                    integrate::<L>(bodies, part, &mut self.velocity[rows.clone()], &self.force[rows]);
+                    integrate::<L>(bodies, part, &mut self.velocity[rows.clone()], &mut self.force[rows.clone()], &self.load[rows]);
                 }
             }
             if look && self.bodies.iter().any(beyond::<L>) {
@@ -443,8 +446,8 @@ fn spring<L: Lanes>(
     }
 
     // tangential: a spring and a damper within Coulomb's cone
-    let kt = L::number(TANGENTIAL_STIFFNESS) * k;
-    let ct = L::number(TANGENTIAL_DAMPING / TANGENTIAL_STIFFNESS) * relaxation;
+    let kt = L::splat(law.tangential) * k;
+    let ct = L::splat(law.tangential_relaxation) * relaxation;
     let mut s1 = L::only(closed, load::<L>(&p.stretch[0], part) + u1);
     let mut s2 = L::only(closed, load::<L>(&p.stretch[1], part) + u2);
     let (mut g1, mut g2) = (kt * (s1 + ct * u1), kt * (s2 + ct * u2));
@@ -477,10 +480,20 @@ fn slide<L: Lanes>(law: &Law<L::Number>, n: L, speed: L, friction: L) -> L {
     L::select(limit.less(size), limit / size, one)
 }
 
-/// Semi-implicit Euler: places with the velocity that the springs have just seen, then velocities with the forces.
+/// Semi-implicit Euler: places with the velocity that the springs have just seen, then velocities with the forces, of which the next sums
+/// begin with the load.
 #[inline(always)]
-fn integrate<L: Lanes>(bodies: &mut BodyLanes<L::Number>, part: usize, velocity: &mut [Row<L::Number>], force: &[Row<L::Number>]) {
+fn integrate<L: Lanes>(
+    bodies: &mut BodyLanes<L::Number>,
+    part: usize,
+    velocity: &mut [Row<L::Number>],
+    force: &mut [Row<L::Number>],
+    load: &[Row<L::Number>],
+) {
     let f = L::columns(|l| L::Row::read(&force[l].0));
+    for (to, from) in force.iter_mut().zip(load) {
+        L::Row::read(&from.0).write(&mut to.0);
+    }
     let (v, w) = (load3::<L>(&bodies.velocity, part), load3::<L>(&bodies.spin, part));
     add(&mut bodies.shift, part, &v);
     add(&mut bodies.turn, part, &w);
@@ -488,7 +501,7 @@ fn integrate<L: Lanes>(bodies: &mut BodyLanes<L::Number>, part: usize, velocity:
     // torque about the centre
     let lever = cross(&offset, &[f[0], f[1], f[2]]);
     let t = [f[4] - lever[0], f[5] - lever[1], f[6] - lever[2]];
-    let ease = load::<L>(&bodies.ease, part);
+    let ease = self::load::<L>(&bodies.ease, part);
     let v = [v[0] + ease * f[0], v[1] + ease * f[1], v[2] + ease * f[2]];
     let [xx, yy, zz] = load3::<L>(&bodies.turning_ease[0], part);
     let [xy, xz, yz] = load3::<L>(&bodies.turning_ease[1], part);

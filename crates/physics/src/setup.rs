@@ -4,7 +4,10 @@ use glam::DVec3;
 use teeter_scene::Scene;
 
 use crate::body::Shapes;
-use crate::constants::{AREA_RANGE, CROSSED_MOBILITY, MAXWELL_TIME, NOMINAL_MASS, REFERENCE_AREA, STEP_LIMIT, STRIBECK_SPEED};
+use crate::constants::{
+    AREA_RANGE, CROSSED_MOBILITY, MAXWELL_TIME, NOMINAL_MASS, REFERENCE_AREA, STEP_LIMIT, STRIBECK_SPEED, TANGENTIAL_DAMPING,
+    TANGENTIAL_STIFFNESS,
+};
 use crate::kernel::Law;
 use crate::lanes::Real;
 use crate::params::Params;
@@ -60,6 +63,8 @@ impl Setup {
         let way = self.h * STRIBECK_SPEED;
         Law {
             keep: R::from_f64(1.0 - self.h / MAXWELL_TIME),
+            tangential: R::from_f64(TANGENTIAL_STIFFNESS),
+            tangential_relaxation: R::from_f64(TANGENTIAL_DAMPING / TANGENTIAL_STIFFNESS),
             mu_kinetic: R::from_f64(self.mu.1),
             mu_excess: R::from_f64(self.mu.0 - self.mu.1),
             stribeck: R::from_f64(1.0 / (way * way)),

@@ -71,6 +71,8 @@ pub fn figures(timed: &[Timed]) -> Vec<Figure> {
         frame("the same in registers no wider than AVX2", of(AWAKE, AVX2)),
         ratio("full tower awake, WebAssembly with simd128 over native", AtMost(2.2), of(AWAKE, SIMD128), native(AWAKE)),
         ratio("full tower awake, WebAssembly without simd128 over native", AtMost(5.0), of(AWAKE, SCALAR), native(AWAKE)),
+        ratio("full tower awake, WebAssembly with simd128 over native AVX2", AtMost(2.2), of(AWAKE, SIMD128), of(AWAKE, AVX2)),
+        ratio("full tower awake, WebAssembly without simd128 over native AVX2", AtMost(5.0), of(AWAKE, SCALAR), of(AWAKE, AVX2)),
         worst("full collapse, worst frame, native", AtMost(8.0), native(COLLAPSE)),
         worst("full collapse, worst frame, WebAssembly", AtMost(16.0), of(COLLAPSE, SIMD128)),
         worst("six lowest rows knocked out, worst frame, native", AtMost(8.0), native(HIT_LOW)),
