@@ -11,6 +11,17 @@ beforeAll(async () => {
 });
 afterAll(() => chrome?.stop());
 
+/** A block of the top row of which the upper face is seen, and where on the screen. */
+function topBlock(page: Page): Promise<{ body: number; x: number; y: number } | null> {
+  return page.evaluate(() => {
+    for (let body = window.teeter.count - 3; body < window.teeter.count; body++) {
+      const at = window.teeter.screenOf(body, [0, 0, window.teeter.sizes[3 * body + 2] / 2]);
+      if (window.teeter.blockAt(at.x, at.y) === body) return { body, ...at };
+    }
+    return null;
+  });
+}
+
 test('loads without a complaint, asks nobody else, and draws', async () => {
   const foreign: string[] = [];
   await using session = await Session.open(chrome, 'help=0&quality=medium&scale=0.5', {
@@ -241,13 +252,7 @@ test('a block that was let fall is put on top by the button', async () => {
   await session.simulate(1);
   const before = await session.poses();
   // The block that sticks out least is taken from the top row, swung aside, and let go over the table.
-  const top = (await page.evaluate(() => {
-    for (let body = window.teeter.count - 3; body < window.teeter.count; body++) {
-      const at = window.teeter.screenOf(body, [0, 0, window.teeter.sizes[3 * body + 2] / 2]);
-      if (window.teeter.blockAt(at.x, at.y) === body) return { body, ...at };
-    }
-    return null;
-  }))!;
+  const top = (await topBlock(page))!;
   const { body } = top;
   await page.mouse.move(top.x, top.y);
   await page.mouse.down();
@@ -410,13 +415,7 @@ test('a finger on empty space turns the camera, two fingers zoom, and the tower 
   // The first finger on a block is the hand, the second moves the block away; the camera stands still.
   await page.keyboard.press('f');
   await page.waitForTimeout(800);
-  const top = (await page.evaluate(() => {
-    for (let body = window.teeter.count - 3; body < window.teeter.count; body++) {
-      const at = window.teeter.screenOf(body, [0, 0, window.teeter.sizes[3 * body + 2] / 2]);
-      if (window.teeter.blockAt(at.x, at.y) === body) return { body, ...at };
-    }
-    return null;
-  }))!;
+  const top = (await topBlock(page))!;
   const camera = await page.evaluate(() => window.teeter.camera);
   await send('touchStart', [{ x: top.x, y: top.y, id: 0 }]);
   for (let k = 1; k <= 10; k++) await send('touchMove', [{ x: top.x, y: top.y - 5 * k, id: 0 }]);

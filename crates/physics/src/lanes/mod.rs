@@ -282,6 +282,7 @@ macro_rules! register {
         $crate::lanes::register!(@ $t, Sub, sub, $sub);
         $crate::lanes::register!(@ $t, Mul, mul, $mul);
         $crate::lanes::register!(@ $t, Div, div, $div);
+        #[allow(unused_unsafe, reason = "in WebAssembly these operations are safe")]
         impl std::ops::Neg for $t {
             type Output = Self;
             #[inline(always)]
@@ -344,6 +345,7 @@ macro_rules! register {
         }
     };
     (@ $t:ident, $trait:ident, $name:ident, $op:expr) => {
+        #[allow(unused_unsafe, reason = "in WebAssembly these operations are safe")]
         impl std::ops::$trait for $t {
             type Output = Self;
             #[inline(always)]
