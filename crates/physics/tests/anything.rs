@@ -1,0 +1,93 @@
+//! Whatever is built and done, the state stays finite, goes on from a snapshot as it would have, and is the same in registers of any
+//! width.
+
+mod common;
+
+use glam::DVec3;
+use proptest::prelude::*;
+use teeter_physics::{AppliedForce, Drive, Grip, Hand, Input, Params, Precision, Width, World};
+use teeter_scene::{Block, Scene, TowerOptions, field};
+
+/// Some small towers, with blocks of any size in the air above and beside them.
+fn any_scene() -> impl Strategy<Value = Scene> {
+    let loose = (prop::array::uniform3(0.01..0.08f64), 0.005..0.05f64, prop::array::uniform2(-0.5..0.5f64), 0.0..3.0f64);
+    let stiffness = prop_oneof![Just(3e5), Just(1e6)];
+    (1u32..4, 1u32..6, any::<u64>(), 0.0..1.0f64, stiffness, prop::collection::vec(loose, 0..12)).prop_map(
+        |(towers, rows, seed, restitution, stiffness, loose)| {
+            let mut scene = field(towers, &TowerOptions { rows, seed, restitution, ..TowerOptions::default() }).unwrap();
+            scene.stiffness = stiffness;
+            for (i, (size, mass, [x, y], yaw)) in loose.into_iter().enumerate() {
+                let pos = [x, y, 0.25 + 0.09 * i as f64];
+                scene.blocks.push(Block { id: 1000 + i as u32, size, mass, pos, yaw });
+            }
+            scene
+        },
+    )
+}
+
+fn any_vector(reach: f64) -> impl Strategy<Value = DVec3> {
+    prop::array::uniform3(-reach..reach).prop_map(DVec3::from)
+}
+
+/// What acts for some frames on whichever body has the number, counted round.
+#[derive(Debug, Clone)]
+enum Act {
+    Nothing,
+    Drive(u32, DVec3),
+    Force(u32, DVec3, DVec3),
+    Hand(u32, DVec3, Grip),
+}
+
+fn any_act() -> impl Strategy<Value = Act> {
+    let grip = prop_oneof![Just(Grip::Slide), Just(Grip::Carry), Just(Grip::Push)];
+    prop_oneof![
+        Just(Act::Nothing),
+        (any::<u32>(), any_vector(4.0)).prop_map(|(i, v)| Act::Drive(i, v)),
+        (any::<u32>(), any_vector(0.03), any_vector(5.0)).prop_map(|(i, at, f)| Act::Force(i, at, f)),
+        (any::<u32>(), any_vector(0.05), grip).prop_map(|(i, ahead, grip)| Act::Hand(i, ahead, grip)),
+    ]
+}
+
+fn input(act: &Act, world: &World) -> Input {
+    let body = |i: u32| i % world.len() as u32;
+    match *act {
+        Act::Nothing => Input::default(),
+        Act::Drive(i, velocity) => {
+            Input { drives: vec![Drive { body: body(i), velocity, max_force: Drive::default_force() }], ..Input::default() }
+        }
+        Act::Force(i, point, force) => Input { forces: vec![AppliedForce { body: body(i), point, force }], ..Input::default() },
+        Act::Hand(i, ahead, grip) => {
+            let target = common::position(world, body(i) as usize) + ahead;
+            let (max_force, max_torque) = (Hand::default_force(), Hand::default_torque());
+            let hand = Hand { body: body(i), anchor: DVec3::ZERO, target, orientation: None, grip, axis: DVec3::X, max_force, max_torque };
+            Input { hand: Some(hand), ..Input::default() }
+        }
+    }
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig { failure_persistence: None, cases: 24, ..ProptestConfig::default() })]
+
+    #[test]
+    fn states_stay_finite_restore_and_agree_between_widths(
+        scene in any_scene(),
+        acts in prop::collection::vec(any_act(), 1..8),
+        double in any::<bool>(),
+        sleep in any::<bool>(),
+    ) {
+        let precision = if double { Precision::Double } else { Precision::Single };
+        let params = Params { sleep, precision, ramp: 0.05, ..Params::default() };
+        let mut world = World::new(&scene, params).unwrap();
+        let mut plain = World::new(&scene, Params { width: Width::Portable, ..params }).unwrap();
+        for act in &acts {
+            for _ in 0..8 {
+                let input = input(act, &world);
+                prop_assert_eq!(world.step(&input), plain.step(&input));
+            }
+            prop_assert!(world.poses().iter().all(|x| x.is_finite()));
+            prop_assert_eq!(world.hash(), plain.hash());
+            plain = World::new(&scene, params).unwrap();
+            plain.restore(&world.snapshot()).unwrap();
+        }
+    }
+}
