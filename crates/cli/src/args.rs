@@ -4,7 +4,7 @@ use std::path::PathBuf;
 
 use clap::{Args, Parser, Subcommand, ValueEnum};
 use teeter_physics::{Params, Precision};
-use teeter_scene::{BlockPreset, MAX_ROWS, STIFFNESS, Scene, WOOD_RESTITUTION};
+use teeter_scene::{BlockPreset, Form, MAX_ROWS, Particles, SPRING_STIFFNESS, STIFFNESS, Scene, Springs, WOOD_RESTITUTION};
 
 /// A real-time simulator of the tower game Jenga, where contact and friction are springs.
 #[derive(Debug, Parser)]
@@ -64,7 +64,7 @@ pub struct Named {
     /// Name of a scene of the list.
     pub name: String,
     #[command(flatten)]
-    pub contact: Contact,
+    pub material: Material,
 }
 
 #[derive(Debug, Args)]
@@ -128,20 +128,35 @@ pub struct Common {
     #[arg(long, default_value_t = WOOD_RESTITUTION, value_parser = number(0.0, 1.0))]
     pub restitution: f64,
     #[command(flatten)]
-    pub contact: Contact,
+    pub material: Material,
 }
 
+/// What of a scene can be had otherwise.
 #[derive(Debug, Args)]
-pub struct Contact {
+pub struct Material {
     /// Stiffness of a contact of 26.8 mm by 26.8 mm, N/m, 1e4 to 1e8 [default: the scene's own, 1e6 where it names none].
     #[arg(long, value_parser = number(STIFFNESS.0, STIFFNESS.1), value_name = "N/M")]
     pub stiffness: Option<f64>,
+    /// What blocks are: rigid, or a lattice of 8 particles and 28 springs each [default: the scene's own, rigid where it names none].
+    #[arg(long)]
+    pub form: Option<Form>,
+    /// Stiffness of each spring of a lattice, N/m, 1e3 to 1e8; wood is near 3e7 [default: the scene's own, that of the contacts where it names none].
+    #[arg(long, value_parser = number(SPRING_STIFFNESS.0, SPRING_STIFFNESS.1), value_name = "N/M")]
+    pub spring_stiffness: Option<f64>,
+    /// Where the particles are: inside, so that a block is as hard to turn as a solid one, or corners, as in the dissertation.
+    #[arg(long)]
+    pub particles: Option<Particles>,
 }
 
-impl Contact {
-    /// The scene with the stiffness asked for in place of its own.
+impl Material {
+    /// The scene with what was asked for in place of its own.
     pub fn applied(&self, scene: Scene) -> Scene {
-        Scene { stiffness: self.stiffness.unwrap_or(scene.stiffness), ..scene }
+        let springs = Springs {
+            stiffness: self.spring_stiffness.or(scene.springs.stiffness),
+            particles: self.particles.unwrap_or(scene.springs.particles),
+            ..scene.springs
+        };
+        Scene { stiffness: self.stiffness.unwrap_or(scene.stiffness), form: self.form.unwrap_or(scene.form), springs, ..scene }
     }
 }
 
@@ -179,7 +194,7 @@ pub struct Score {
 #[derive(Debug, Args)]
 pub struct Engine {
     #[command(flatten)]
-    pub contact: Contact,
+    pub material: Material,
     /// Number format of the inner loop.
     #[arg(long, default_value_t = Format::Single)]
     pub precision: Format,

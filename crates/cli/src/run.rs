@@ -42,7 +42,7 @@ struct Report {
 
 /// Simulates a scene and prints what it showed.
 pub fn main(args: Run) -> Result<(), Fault> {
-    let scene = args.engine.contact.applied(input::scene(&args.scene)?);
+    let scene = args.engine.material.applied(input::scene(&args.scene)?);
     let mut world = World::new(&scene, args.engine.params(!args.no_sleep)).map_err(|e| Fault::at(&scene.name, e))?;
     let report = simulate(&scene, &mut world, args.seconds);
     if args.json { output::line(&output::json(&report)) } else { print(&scene, &report) }

@@ -15,11 +15,11 @@ pub fn main(args: SceneArgs) -> Result<(), Fault> {
         What::Tower(t) => {
             let height_sd = 1e-3 * t.height_sd;
             let options = TowerOptions { rows: t.rows, height_sd, mass_sd: t.mass_sd.map(|g| 1e-3 * g), ..options(&t.common) };
-            t.common.contact.applied(checked(if t.towers == 1 { tower(&options) } else { field(t.towers, &options) })?)
+            t.common.material.applied(checked(if t.towers == 1 { tower(&options) } else { field(t.towers, &options) })?)
         }
         What::Config(c) => {
             let options = TowerOptions { height_sd: 1e-3 * c.height_sd, mass_sd: Some(1e-3 * c.mass_sd), ..options(&c.common) };
-            c.common.contact.applied(match (&c.config, &c.loose) {
+            c.common.material.applied(match (&c.config, &c.loose) {
                 (Some(text), _) => checked(config(text, &options))?,
                 (None, Some(text)) => checked(loose(text, &options))?,
                 (None, None) => return Err("a configuration is missing, expected --config or --loose".into()),
@@ -27,7 +27,7 @@ pub fn main(args: SceneArgs) -> Result<(), Fault> {
         }
         What::Named(words) => {
             let named = Named::try_parse_from(words)?;
-            named.contact.applied(input::known(&named.name)?)
+            named.material.applied(input::known(&named.name)?)
         }
     };
     output::line(&scene.to_json())

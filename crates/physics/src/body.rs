@@ -3,7 +3,10 @@
 
 use glam::{DMat3, DQuat, DVec3};
 use serde::{Deserialize, Serialize};
-use teeter_scene::Scene;
+use teeter_scene::{Form, Particles, Scene};
+
+/// A block of springs counts as no thinner than this part of what it was, along any axis.
+const LEAST_STRETCH: DVec3 = DVec3::splat(0.05);
 
 /// No body: the floor.
 pub const FLOOR: u32 = u32::MAX;
@@ -19,6 +22,8 @@ pub struct Shapes {
     pub inertia: Vec<DVec3>,
     /// Distance from the centre to a corner, m.
     pub radius: Vec<f64>,
+    /// Distances of its particles from the centre along its axes, m; empty where bodies are rigid.
+    pub particles: Vec<DVec3>,
 }
 
 impl Shapes {
@@ -33,6 +38,7 @@ impl Shapes {
             shapes.inertia.push(block.mass / 3.0 * DVec3::new(square.y + square.z, square.z + square.x, square.x + square.y));
             shapes.radius.push(half.length());
         }
+        shapes.set_form(scene.form, scene.springs.particles);
         shapes
     }
 
@@ -42,6 +48,15 @@ impl Shapes {
         self.mass.push(from.mass[i]);
         self.inertia.push(from.inertia[i]);
         self.radius.push(from.radius[i]);
+        self.particles.extend(from.particles.get(i));
+    }
+
+    /// Gives the bodies particles, or takes them.
+    pub fn set_form(&mut self, form: Form, particles: Particles) {
+        self.particles = match form {
+            Form::Rigid => Vec::new(),
+            Form::Lattice => self.half.iter().map(|&half| half * particles.place()).collect(),
+        };
     }
 }
 
@@ -72,6 +87,10 @@ pub struct Bodies {
     pub asleep: Vec<bool>,
     /// Whether the body was taken out because its state was not finite or ran away.
     pub quarantined: Vec<bool>,
+    /// How each is strained: what turned by its orientation makes its places in the world of those in its frame. Follows from its particles;
+    /// empty where bodies are rigid.
+    #[serde(skip)]
+    pub stretch: Vec<DMat3>,
 }
 
 impl Bodies {
@@ -92,6 +111,7 @@ impl Bodies {
             rest_velocity: vec![(DVec3::ZERO, DVec3::ZERO); n],
             asleep: vec![false; n],
             quarantined: vec![false; n],
+            stretch: Vec::new(),
             position,
             orientation,
         }
@@ -115,6 +135,7 @@ impl Bodies {
         self.rest_velocity.push(from.rest_velocity[i]);
         self.asleep.push(from.asleep[i]);
         self.quarantined.push(from.quarantined[i]);
+        self.stretch.extend(from.stretch.get(i));
     }
 
     /// Whether there are `n` of them, in every field.
@@ -162,6 +183,22 @@ impl Bodies {
         } else {
             (self.position[i as usize], DMat3::from_quat(self.orientation[i as usize]))
         }
+    }
+
+    /// How a body is strained, where it can be; the floor cannot.
+    pub fn stretch_of(&self, i: u32) -> Option<&DMat3> {
+        self.stretch.get(i as usize)
+    }
+
+    /// Centre of a body, and what makes places from there of those in its frame: its axes, strained as it is.
+    pub fn affine(&self, i: u32) -> (DVec3, DMat3) {
+        let (center, axes) = self.pose(i);
+        (center, self.stretch_of(i).map_or(axes, |stretch| axes * *stretch))
+    }
+
+    /// Half edge lengths of a body as it is strained, m.
+    pub fn half(&self, shapes: &Shapes, i: usize) -> DVec3 {
+        self.stretch.get(i).map_or(shapes.half[i], |s| shapes.half[i] * DVec3::new(s.x_axis.x, s.y_axis.y, s.z_axis.z).max(LEAST_STRETCH))
     }
 }
 

@@ -1,6 +1,6 @@
 //! Which bodies are near each other: bounds along the axes, and the pairs of them that overlap.
 
-use glam::{DMat3, DVec3};
+use glam::DVec3;
 use serde::{Deserialize, Serialize};
 
 use crate::body::{Bodies, Shapes};
@@ -22,7 +22,7 @@ impl Default for Bound {
 impl Bound {
     /// Those of a body, grown by `reach` (m).
     pub fn new(shapes: &Shapes, bodies: &Bodies, i: usize, reach: f64) -> Self {
-        let axes = DMat3::from_quat(bodies.orientation[i]);
+        let (_, axes) = bodies.affine(i as u32);
         let half = shapes.half[i];
         let half = axes.x_axis.abs() * half.x + axes.y_axis.abs() * half.y + axes.z_axis.abs() * half.z + DVec3::splat(reach);
         Self { min: bodies.position[i] - half, max: bodies.position[i] + half }

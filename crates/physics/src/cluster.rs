@@ -1,26 +1,47 @@
 //! A cluster: bodies that may touch each other within a frame, and all that it takes to step them without looking at any others.
 
+use teeter_scene::Form;
+
 use crate::body::{Bodies, FLOOR, Shapes};
 use crate::broad_phase::Bound;
 use crate::contacts::Contacts;
 use crate::kernel::Kernel;
+use crate::lattice::{Lattice, Particles};
 use crate::manifold::{Manifold, key};
 use crate::pack::Packing;
 use crate::params::{Params, Precision};
+use crate::rigid::Rigid;
 
-/// The inner loop in one of its two number formats.
+/// The inner loop in one of its number formats and forms of body.
 #[derive(Debug, Clone)]
 pub enum Loop {
-    Single(Kernel<f32>),
-    Double(Kernel<f64>),
+    Single(Kernel<f32, Rigid<f32>>),
+    Double(Kernel<f64, Rigid<f64>>),
+    SingleLattice(Kernel<f32, Lattice<f32>>),
+    DoubleLattice(Kernel<f64, Lattice<f64>>),
 }
 
-/// Does the same with the kernel in either format.
+impl Loop {
+    /// An empty one.
+    pub fn new(params: &Params, form: Form) -> Self {
+        let width = params.width;
+        match (params.precision, form) {
+            (Precision::Single, Form::Rigid) => Loop::Single(Kernel::new(width)),
+            (Precision::Double, Form::Rigid) => Loop::Double(Kernel::new(width)),
+            (Precision::Single, Form::Lattice) => Loop::SingleLattice(Kernel::new(width)),
+            (Precision::Double, Form::Lattice) => Loop::DoubleLattice(Kernel::new(width)),
+        }
+    }
+}
+
+/// Does the same with the kernel of either kind.
 macro_rules! with_kernel {
     ($kernel:expr, |$name:ident| $body:expr) => {
         match &mut $kernel {
             crate::cluster::Loop::Single($name) => $body,
             crate::cluster::Loop::Double($name) => $body,
+            crate::cluster::Loop::SingleLattice($name) => $body,
+            crate::cluster::Loop::DoubleLattice($name) => $body,
         }
     };
 }
@@ -33,6 +54,8 @@ pub struct Cluster {
     pub ids: Vec<u32>,
     pub shapes: Shapes,
     pub bodies: Bodies,
+    /// Those of each body; empty where bodies are rigid.
+    pub particles: Vec<Particles>,
     pub contacts: Contacts,
     /// Bounds around all that its bodies sweep.
     pub hull: Bound,
@@ -44,7 +67,7 @@ pub struct Cluster {
 
 impl Cluster {
     /// One without bodies.
-    pub fn new(params: &Params) -> Self {
+    pub fn new(params: &Params, form: Form) -> Self {
         Self {
             ids: Vec::new(),
             shapes: Shapes::default(),
@@ -52,10 +75,8 @@ impl Cluster {
             contacts: Contacts::default(),
             hull: Bound::default(),
             outgrown: false,
-            kernel: match params.precision {
-                Precision::Single => Loop::Single(Kernel::new(params.width)),
-                Precision::Double => Loop::Double(Kernel::new(params.width)),
-            },
+            particles: Vec::new(),
+            kernel: Loop::new(params, form),
             packing: Packing::default(),
         }
     }
@@ -80,6 +101,7 @@ impl Cluster {
         self.ids.push(from.ids[i]);
         self.shapes.push(&from.shapes, i);
         self.bodies.push(&from.bodies, i);
+        self.particles.extend(from.particles.get(i));
         self.contacts.bounds.push(from.contacts.bounds[i]);
         self.contacts.swept.push(from.contacts.swept[i]);
         self.hull = self.hull.union(&from.contacts.swept[i]);

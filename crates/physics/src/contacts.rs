@@ -2,7 +2,7 @@
 
 use serde::{Deserialize, Serialize};
 
-use crate::body::{Bodies, FLOOR, Shapes};
+use crate::body::{Bodies, FLOOR, Shapes, world_tensor};
 use crate::box_box::{Cuboid, Meeting, box_box, box_floor};
 use crate::broad_phase::{Bound, Near, overlapping};
 use crate::constants::{LEAST_NEAR, MARGIN_RANGE, MARGIN_SHARE, MARGIN_TIME};
@@ -112,9 +112,9 @@ impl Contacts {
 
     /// Makes the gaps of a manifold exact again from the poses; returns the deepest overlap, m.
     pub fn measure(bodies: &Bodies, manifold: &mut Manifold) -> f64 {
-        let (center_a, axes_a) = bodies.pose(manifold.a);
-        let (center_b, axes_b) = bodies.pose(manifold.b);
-        let normal = axes_a * manifold.frame[0];
+        let (center_a, axes_a) = bodies.affine(manifold.a);
+        let (center_b, axes_b) = bodies.affine(manifold.b);
+        let [normal, ..] = manifold.frame_in_world(bodies);
         let mut deepest: f64 = 0.0;
         for point in &mut manifold.points {
             let on_a = center_a + axes_a * point.anchor_a;
@@ -134,7 +134,7 @@ pub fn due(shapes: &Shapes, bodies: &Bodies, i: usize) -> bool {
 /// The box of a body.
 pub fn cuboid(shapes: &Shapes, bodies: &Bodies, i: u32) -> Cuboid {
     let (center, axes) = bodies.pose(i);
-    Cuboid { body: i, center, axes, half: shapes.half[i as usize] }
+    Cuboid { body: i, center, axes, half: bodies.half(shapes, i as usize) }
 }
 
 /// How a pair is to each other; a manifold has the history of the last one.
@@ -148,6 +148,7 @@ fn look(shapes: &Shapes, bodies: &Bodies, low: u32, high: u32, last: Option<&Man
         box_box(&cuboid(shapes, bodies, low), &high_box, limit, axis)
     };
     let Meeting::Touching(mut manifold) = meeting else { return meeting };
+    unstrain(&mut manifold, shapes, bodies);
     if let Some(last) = last {
         let (_, r) = bodies.pose(manifold.a);
         let (_, last_r) = bodies.pose(last.a);
@@ -155,6 +156,17 @@ fn look(shapes: &Shapes, bodies: &Bodies, low: u32, high: u32, last: Option<&Man
     }
     manifold.mobility = mobility(&manifold, shapes, bodies);
     Meeting::Touching(manifold)
+}
+
+/// Makes the anchors of a new manifold places in blocks that are not strained.
+fn unstrain(manifold: &mut Manifold, shapes: &Shapes, bodies: &Bodies) {
+    let scale = |i: u32| bodies.stretch_of(i).map(|_| shapes.half[i as usize] / bodies.half(shapes, i as usize));
+    if let Some(scale) = scale(manifold.a) {
+        manifold.points.iter_mut().for_each(|p| p.anchor_a *= scale);
+    }
+    if let Some(scale) = scale(manifold.b) {
+        manifold.points.iter_mut().for_each(|p| p.anchor_b *= scale);
+    }
 }
 
 /// Takes care that two bodies which are near but have no manifold are looked at again before they have closed `distance` (m):
@@ -173,6 +185,10 @@ fn mobility(manifold: &Manifold, shapes: &Shapes, bodies: &Bodies) -> f64 {
     let of = |i: u32| {
         let i = i as usize;
         let arm = centroid - bodies.position[i];
+        if let Some(&half) = shapes.particles.get(i) {
+            let levers = world_tensor(bodies.orientation[i], (half * half).recip());
+            return manifold.affine_mobility_of(shapes.mass[i], levers, arm, |d| axes * d);
+        }
         manifold.mobility_of(shapes.mass[i], bodies.inv_inertia(shapes, i), arm, |d| axes * d)
     };
     of(manifold.b) + if manifold.a == FLOOR { 0.0 } else { of(manifold.a) }

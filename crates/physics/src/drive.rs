@@ -3,6 +3,7 @@
 use glam::{DMat3, DVec3};
 
 use crate::body::{Bodies, Shapes};
+use crate::form::Push;
 use crate::input::Drive;
 
 /// Substeps in which a drive takes away all but 1/e of the difference in velocity.
@@ -37,11 +38,11 @@ impl Servo {
         self.row
     }
 
-    /// Force (N) and torque (N m) in a substep of `h` (s) on a body of this velocity and spin.
-    pub fn force(&self, h: f64, (v, w): (DVec3, DVec3)) -> (DVec3, DVec3) {
+    /// What it does in a substep of `h` (s) to a body of this velocity and spin.
+    pub fn force(&self, h: f64, (v, w): (DVec3, DVec3)) -> Push {
         let rate = 1.0 / (RESPONSE * h);
         let force = (self.mass * rate * (self.velocity - v)).clamp_length_max(self.max_force);
         let torque = (self.inertia * w * -rate).clamp_length_max(self.max_torque);
-        (force, torque)
+        Push { force, arm: DVec3::ZERO, torque }
     }
 }

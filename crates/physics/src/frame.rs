@@ -8,6 +8,7 @@ use crate::body::FLOOR;
 use crate::cluster::{Cluster, with_kernel};
 use crate::constants::{SWEEP_LEAST, SYNC_SHARE, SYNC_TIME};
 use crate::contacts::{self, Contacts};
+use crate::lattice;
 use crate::moved::Moved;
 use crate::pack::make_room;
 use crate::report::HandReport;
@@ -104,7 +105,7 @@ impl Cluster {
     pub fn pack(&mut self, frame: &Frame, acts: &Acts, done: usize, batch: usize, moved: &Moved) {
         let share = (done as f64 + 0.5 * batch as f64) / frame.setup.substeps as f64;
         let gravity = frame.gravity(done);
-        let Self { shapes, bodies, contacts, packing, kernel, .. } = self;
+        let Self { shapes, bodies, particles, contacts, packing, kernel, .. } = self;
         with_kernel!(*kernel, |kernel| {
             packing.load(kernel, contacts, shapes, bodies, &frame.setup, moved);
             for i in moved.list().chain(moved.beside.iter().map(|&i| i as usize)) {
@@ -114,7 +115,8 @@ impl Cluster {
                     packing.turn[i] = batch::turn(bodies, i, packing.touches(i));
                 }
                 packing.since[i] = done;
-                packing.load_body(kernel, shapes, bodies, i, acts.bodies().any(|j| j == i));
+                let lattice = particles.get(i).zip(frame.setup.springs.as_ref());
+                packing.load_body(kernel, shapes, bodies, lattice, i, acts.bodies().any(|j| j == i));
             }
         });
     }
@@ -184,23 +186,25 @@ impl Cluster {
             return;
         }
         let time = (done - self.packing.since[i]) as f64 * frame.setup.h;
-        let motion = if self.packing.free[i] {
-            sync::fly(&self.shapes, &self.bodies, i, self.packing.load[i].0, time)
-        } else {
-            with_kernel!(self.kernel, |kernel| {
-                let ((shift, turn), (velocity, spin)) = (kernel.displacement(i), kernel.motion(i));
-                [shift, turn, velocity, spin]
-            })
-        };
+        let mut taken = with_kernel!(self.kernel, |kernel| kernel.taken(i));
+        let flies = self.packing.free[i];
+        if flies {
+            sync::fly(&self.shapes, &self.bodies, i, self.packing.load[i].0, time, &mut taken);
+        }
         self.packing.since[i] = done;
-        if sync::sane(&self.shapes, i, &motion) {
-            let [shift, turn, ..] = motion;
-            self.packing.reach[i] -= shift.length() + turn.length() * self.shapes.radius[i];
-            self.packing.turn[i] -= turn.length();
-            sync::advance(&self.shapes, &mut self.bodies, i, motion, time);
-        } else {
+        if !sync::sane(&self.shapes, i, &taken) {
             sync::quarantine(&mut self.bodies, &mut self.contacts, i);
             outcome.quarantined.push(i as u32);
+            return;
+        }
+        self.packing.reach[i] -= taken.shift.length() + taken.turn.length() * self.shapes.radius[i];
+        self.packing.turn[i] -= taken.turn.length();
+        match (&taken.particles, self.particles.get_mut(i)) {
+            (Some(moved), Some(particles)) => {
+                let flight = flies.then_some((taken.shift, taken.velocity));
+                lattice::advance(self.shapes.particles[i], &mut self.bodies, i, particles, moved, flight, time);
+            }
+            _ => sync::advance(&self.shapes, &mut self.bodies, i, &taken, time),
         }
     }
 
@@ -242,6 +246,7 @@ impl Cluster {
         rest::watch(&self.shapes, &mut self.bodies, frame.setup.frame);
         if frame.setup.sleep && frame.start + frame.setup.frame > frame.setup.ramp {
             rest::fall_asleep(&mut self.bodies, &self.contacts.manifolds);
+            lattice::halt(&self.bodies, &mut self.particles);
         }
     }
 }

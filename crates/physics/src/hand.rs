@@ -4,6 +4,7 @@ use glam::{DMat3, DQuat, DVec3};
 
 use crate::body::{Bodies, Shapes, turn, turned};
 use crate::constants::HAND_RATE;
+use crate::form::Push;
 use crate::input::{Grip, Hand};
 use crate::report::HandReport;
 
@@ -94,8 +95,8 @@ impl Pull {
         self.row
     }
 
-    /// Force (N) and torque (N m) in a substep of `h` (s) on a body of this velocity and spin.
-    pub fn force(&mut self, h: f64, (v, w): (DVec3, DVec3)) -> (DVec3, DVec3) {
+    /// What it does in a substep of `h` (s) to a body of this velocity and spin.
+    pub fn force(&mut self, h: f64, (v, w): (DVec3, DVec3)) -> Push {
         let slip = self.target_velocity - (v + w.cross(self.arm));
         self.lead += slip * h;
         let spring = self.mass * (HAND_RATE * HAND_RATE * self.lead + 2.0 * HAND_RATE * slip);
@@ -116,7 +117,7 @@ impl Pull {
             }
         }
         self.report = HandReport { force: f, torque: hold, capped, torque_capped, point: self.report.point };
-        (f, self.arm.cross(f) + hold)
+        Push { force: f, arm: self.arm, torque: hold }
     }
 
     /// The force that the grip allows of what the spring wants, and whether that is less.

@@ -12,10 +12,11 @@ use glam::DVec3;
 
 use crate::constants::GUARD_SUBSTEPS;
 use crate::drive::Servo;
+use crate::form::{Form, Motion, Push, Taken};
 use crate::hand::Pull;
 #[cfg(target_arch = "x86_64")]
 use crate::lanes::portable;
-use crate::lanes::{LANES, Lanes, ROW, Real, Row as _};
+use crate::lanes::{LANES, Lanes, ROW, Real};
 use crate::params::Width;
 
 /// Points of an entry; a manifold with more has several entries.
@@ -100,6 +101,11 @@ impl<R: Real> Group<R> {
 pub struct Row<R>(pub [R; ROW]);
 
 impl<R: Real> Row<R> {
+    /// The row of two vectors.
+    pub fn of(x: DVec3, y: DVec3) -> Self {
+        Self([x.x, x.y, x.z, 0.0, y.x, y.y, y.z, 0.0].map(R::from_f64))
+    }
+
     /// Adds to the two vectors.
     pub fn add(&mut self, x: DVec3, y: DVec3) {
         for k in 0..3 {
@@ -118,28 +124,6 @@ pub struct Actors {
     pub drives: Vec<Servo>,
 }
 
-/// A body a lane.
-#[derive(Debug, Clone, Copy, Default)]
-pub struct BodyLanes<R> {
-    /// Velocity of the centre and spin, m and rad per substep.
-    pub velocity: [Lane<R>; 3],
-    pub spin: [Lane<R>; 3],
-    /// Centre from the cluster's reference point, m.
-    pub offset: [Lane<R>; 3],
-    /// h² / m: what a force of 1 N adds to the velocity in a substep.
-    pub ease: Lane<R>,
-    /// h² times the inverse inertia in the world: xx, yy, zz; xy, xz, yz.
-    pub turning_ease: [[Lane<R>; 3]; 2],
-    /// Displacement and turn since the last sync, m and rad.
-    pub shift: [Lane<R>; 3],
-    pub turn: [Lane<R>; 3],
-    /// Distance to the corners, m.
-    pub radius: Lane<R>,
-    /// Travel (m) and turn (rad) that end the batch.
-    pub travel_bound: Lane<R>,
-    pub turn_bound: Lane<R>,
-}
-
 /// Constants of a batch.
 #[derive(Debug, Clone, Copy)]
 pub struct Law<R> {
@@ -155,33 +139,33 @@ pub struct Law<R> {
     pub stribeck: R,
 }
 
-/// The packed cluster, for a frame.
+/// The packed cluster, for a frame, of bodies of one form.
 #[derive(Debug, Clone, Default)]
-pub struct Kernel<R> {
+pub struct Kernel<R, F> {
     /// Registers to work in.
     #[cfg_attr(not(target_arch = "x86_64"), allow(dead_code, reason = "there is one width"))]
     pub width: Width,
     /// Contacts.
     pub groups: Vec<Group<R>>,
     /// Velocities as of a body that reaches to the reference point of the cluster, where the velocities of two bodies can be
-    /// subtracted without asking where their centres are; the last row is the floor, at rest.
+    /// subtracted without asking where their centres are. [`Form::ROWS`] a body; the last are the floor's, at rest.
     pub velocity: Vec<Row<R>>,
-    /// Weight and applied forces, the same in each substep of a run, and their torques about the reference point.
+    /// Weight and applied forces, the same in each substep of a run, and their moments about the reference point.
     pub load: Vec<Row<R>>,
     /// Sums of forces of the present substep.
     pub force: Vec<Row<R>>,
     /// Everything else about the bodies.
-    pub bodies: Vec<BodyLanes<R>>,
+    pub bodies: Vec<F>,
     /// How many bodies there are.
     pub len: usize,
     /// Substep, s.
     pub h: f64,
 }
 
-impl<R: Real> Kernel<R> {
+impl<R: Real, F: Form<R>> Kernel<R, F> {
     /// An empty one that works in registers of the given width.
     pub fn new(width: Width) -> Self {
-        Self { width, ..Self::default() }
+        Self { width, groups: Vec::new(), velocity: Vec::new(), load: Vec::new(), force: Vec::new(), bodies: Vec::new(), len: 0, h: 0.0 }
     }
 
     /// Runs up to `substeps` substeps; fewer when a body reaches its bound. Returns how many.
@@ -223,19 +207,19 @@ impl<R: Real> Kernel<R> {
             let keep = look || done + 1 == substeps;
             for group in &mut self.groups {
                 for part in 0..LANES / L::WIDTH {
-                    contact::<L>(group, part, keep, law, &self.velocity, &mut self.force);
+                    contact::<L, F>(group, part, keep, law, &self.velocity, &mut self.force);
                 }
             }
             self.act(actors);
             for (i, bodies) in self.bodies.iter_mut().enumerate() {
                 let filled = (self.len - LANES * i).min(LANES).div_ceil(L::WIDTH);
                 for part in 0..filled {
-                    let first = LANES * i + L::WIDTH * part;
-                    let rows = first..first + L::WIDTH;
-                    integrate::<L>(bodies, part, &mut self.velocity[rows.clone()], &mut self.force[rows.clone()], &self.load[rows]);
+                    let first = F::ROWS * (LANES * i + L::WIDTH * part);
+                    let rows = first..first + F::ROWS * L::WIDTH;
+                    bodies.integrate::<L>(part, &mut self.velocity[rows.clone()], &mut self.force[rows.clone()], &self.load[rows]);
                 }
             }
-            if look && self.bodies.iter().any(beyond::<L>) {
+            if look && self.bodies.iter().any(F::beyond::<L>) {
                 return done + 1;
             }
         }
@@ -246,37 +230,46 @@ impl<R: Real> Kernel<R> {
     fn act(&mut self, actors: &mut Actors) {
         if let Some(hand) = &mut actors.hand {
             let i = hand.body();
-            let (force, torque) = hand.force(self.h, self.motion(i));
-            self.push(i, force, torque);
+            let push = hand.force(self.h, self.motion(i));
+            self.push(i, &push);
         }
         for drive in &actors.drives {
             let i = drive.body();
-            let (force, torque) = drive.force(self.h, self.motion(i));
-            self.push(i, force, torque);
+            let push = drive.force(self.h, self.motion(i));
+            self.push(i, &push);
         }
     }
 
-    /// Where the row of the floor begins.
+    /// Where the rows of a body begin.
+    pub fn place(&self, i: u32) -> u32 {
+        i * (F::ROWS * ROW) as u32
+    }
+
+    /// Where the rows of the floor begin.
     pub fn floor(&self) -> u32 {
-        ((self.velocity.len() - 1) * ROW) as u32
+        ((self.velocity.len() - F::ROWS) * ROW) as u32
     }
 
     /// Displacement (m) and turn (rad) of a body since its pose was made exact.
     pub fn displacement(&self, i: usize) -> (DVec3, DVec3) {
-        let (bodies, l) = (&self.bodies[i / LANES], i % LANES);
-        (vector(&bodies.shift, l), vector(&bodies.turn, l))
+        self.bodies[i / LANES].displacement(i % LANES)
     }
 
     /// Velocity of the centre and spin of a body, m/s and rad/s.
     pub fn motion(&self, i: usize) -> (DVec3, DVec3) {
-        let (bodies, l) = (&self.bodies[i / LANES], i % LANES);
-        (vector(&bodies.velocity, l) / self.h, vector(&bodies.spin, l) / self.h)
+        let (v, w) = self.bodies[i / LANES].motion(i % LANES);
+        (v / self.h, w / self.h)
     }
 
-    /// Adds a force at the centre of a body and a torque about it.
-    fn push(&mut self, i: usize, force: DVec3, torque: DVec3) {
-        let offset = vector(&self.bodies[i / LANES].offset, i % LANES);
-        self.force[i].add(force, torque + offset.cross(force));
+    /// All that a body has done since its pose was made exact.
+    pub fn taken(&self, i: usize) -> Taken {
+        self.bodies[i / LANES].taken(i % LANES, self.h)
+    }
+
+    /// Adds what pushes a body to the forces of this substep.
+    fn push(&mut self, i: usize, push: &Push) {
+        let rows = F::ROWS * i..F::ROWS * (i + 1);
+        self.bodies[i / LANES].push(i % LANES, push, &mut self.force[rows]);
     }
 }
 
@@ -285,9 +278,16 @@ pub fn vector<R: Real>(x: &[Lane<R>; 3], l: usize) -> DVec3 {
     DVec3::new(x[0].0[l].to_f64(), x[1].0[l].to_f64(), x[2].0[l].to_f64())
 }
 
+/// Puts a vector into a lane.
+pub fn put3<R: Real>(to: &mut [Lane<R>; 3], l: usize, x: DVec3) {
+    for k in 0..3 {
+        to[k].0[l] = R::from_f64(x[k]);
+    }
+}
+
 /// The row that begins at a place that is known to be one.
 #[inline(always)]
-fn row<R>(rows: &[Row<R>], start: u32) -> &[R; ROW] {
+pub fn row<R>(rows: &[Row<R>], start: u32) -> &[R; ROW] {
     debug_assert!((start as usize).is_multiple_of(ROW) && (start as usize) < ROW * rows.len());
     // SAFETY: `Packing::load` is what fills groups, and it lays out a row for every body it names and for the floor. The place is one
     // in numbers because a processor can multiply an index by the size of a number as it reads, but not by that of a row.
@@ -296,56 +296,61 @@ fn row<R>(rows: &[Row<R>], start: u32) -> &[R; ROW] {
 
 /// The same, to write to.
 #[inline(always)]
-fn row_mut<R>(rows: &mut [Row<R>], start: u32) -> &mut [R; ROW] {
+pub fn row_mut<R>(rows: &mut [Row<R>], start: u32) -> &mut [R; ROW] {
     debug_assert!((start as usize).is_multiple_of(ROW) && (start as usize) < ROW * rows.len());
     // SAFETY: as for `row`.
     unsafe { &mut *rows.as_mut_ptr().cast::<R>().add(start as usize).cast() }
 }
 
 #[inline(always)]
-fn load<L: Lanes>(from: &Lane<L::Number>, part: usize) -> L {
+pub fn load<L: Lanes>(from: &Lane<L::Number>, part: usize) -> L {
     L::load(&from.0, part)
 }
 
 #[inline(always)]
-fn load3<L: Lanes>(from: &[Lane<L::Number>; 3], part: usize) -> [L; 3] {
+pub fn load3<L: Lanes>(from: &[Lane<L::Number>; 3], part: usize) -> [L; 3] {
     [load(&from[0], part), load(&from[1], part), load(&from[2], part)]
 }
 
 #[inline(always)]
-fn store3<L: Lanes>(to: &mut [Lane<L::Number>; 3], part: usize, x: &[L; 3]) {
+pub fn store3<L: Lanes>(to: &mut [Lane<L::Number>; 3], part: usize, x: &[L; 3]) {
     x[0].store(&mut to[0].0, part);
     x[1].store(&mut to[1].0, part);
     x[2].store(&mut to[2].0, part);
 }
 
 #[inline(always)]
-fn add<L: Lanes>(to: &mut [Lane<L::Number>; 3], part: usize, x: &[L; 3]) {
+pub fn add<L: Lanes>(to: &mut [Lane<L::Number>; 3], part: usize, x: &[L; 3]) {
     let at = load3::<L>(to, part);
     store3(to, part, &[at[0] + x[0], at[1] + x[1], at[2] + x[2]]);
 }
 
 #[inline(always)]
-fn cross<L: Lanes>(a: &[L; 3], b: &[L; 3]) -> [L; 3] {
+pub fn cross<L: Lanes>(a: &[L; 3], b: &[L; 3]) -> [L; 3] {
     [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]]
 }
 
 /// Components along the axes of a frame.
 #[inline(always)]
-fn into_frame<L: Lanes>(frame: &[[L; 3]; 3], v: &[L; 3]) -> [L; 3] {
-    let along = |axis: &[L; 3]| axis[0] * v[0] + axis[1] * v[1] + axis[2] * v[2];
-    [along(&frame[0]), along(&frame[1]), along(&frame[2])]
+pub fn into_frame<L: Lanes>(frame: &[[L; 3]; 3], v: &[L; 3]) -> [L; 3] {
+    [dot(&frame[0], v), dot(&frame[1], v), dot(&frame[2], v)]
 }
 
 #[inline(always)]
-fn out_of_frame<L: Lanes>(frame: &[[L; 3]; 3], v: &[L; 3]) -> [L; 3] {
-    let along = |i: usize| frame[0][i] * v[0] + frame[1][i] * v[1] + frame[2][i] * v[2];
-    [along(0), along(1), along(2)]
+fn dot<L: Lanes>(a: &[L; 3], b: &[L; 3]) -> L {
+    a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
+}
+
+/// The sum of the vectors of a frame times the components along them.
+#[inline(always)]
+pub fn out_of_frame<L: Lanes>(frame: &[[L; 3]; 3], v: &[L; 3]) -> [L; 3] {
+    let [x, y, z] = frame;
+    [x[0] * v[0] + y[0] * v[1] + z[0] * v[2], x[1] * v[0] + y[1] * v[1] + z[1] * v[2], x[2] * v[0] + y[2] * v[1] + z[2] * v[2]]
 }
 
 /// The contact law on a part of a group: velocities in, forces out, springs advanced. Normal forces are kept where asked for.
 #[inline(always)]
-fn contact<L: Lanes>(
+fn contact<L: Lanes, F: Form<L::Number>>(
     group: &mut Group<L::Number>,
     part: usize,
     keep: bool,
@@ -358,68 +363,38 @@ fn contact<L: Lanes>(
     if count == 0 {
         return;
     }
-    // relative velocity at the reference point and relative spin, B over A; then at the centroid, along the frame
-    let d = L::columns(|l| L::Row::read(row(velocity, group.b[first + l])) - L::Row::read(row(velocity, group.a[first + l])));
-    let dw = [d[4], d[5], d[6]];
-    let (arm, frame) = geometry::<L>(group, part);
-    let turning = cross(&dw, &arm);
-    let v = into_frame(&frame, &[d[0] + turning[0], d[1] + turning[1], d[2] + turning[2]]);
-    let w = into_frame(&frame, &dw);
-
-    let mut sum = Wrench { f: [L::zero(); 3], m: [L::zero(); 3] };
+    let motion = F::relative::<L>(group, part, velocity);
+    let mut sum = F::Motion::<L>::no_force();
     let relaxation = load(&group.relaxation, part);
     for point in group.points.iter_mut().take(count as usize) {
-        spring(point, part, keep, law, relaxation, &v, &w, &mut sum);
+        spring(point, part, keep, law, relaxation, &motion, &mut sum);
     }
-
-    // one force and one moment about the reference point, equal and opposite on the two; vector registers are too few to keep the
-    // geometry until here, and storing it elsewhere would cost more than loading it again
-    let (arm, frame) = if L::WIDTH == 1 { (arm, frame) } else { geometry::<L>(group, part) };
-    let f = out_of_frame(&frame, &sum.f);
-    let m = out_of_frame(&frame, &sum.m);
-    let t = cross(&arm, &f);
-    let zero = L::zero();
-    let rows = L::rows([f[0], f[1], f[2], zero, t[0] + m[0], t[1] + m[1], t[2] + m[2], zero]);
-    for (l, on_b) in rows.into_iter().enumerate() {
-        let a = row_mut(force, group.a[first + l]);
-        (L::Row::read(a) - on_b).write(a);
-        let b = row_mut(force, group.b[first + l]);
-        (L::Row::read(b) + on_b).write(b);
-    }
+    F::react::<L>(group, part, &sum, force);
 }
 
 /// Arm and frame of a part of a group.
 #[inline(always)]
-fn geometry<L: Lanes>(group: &Group<L::Number>, part: usize) -> ([L; 3], [[L; 3]; 3]) {
+pub fn geometry<L: Lanes>(group: &Group<L::Number>, part: usize) -> ([L; 3], [[L; 3]; 3]) {
     (load3(&group.arm, part), [load3(&group.frame[0], part), load3(&group.frame[1], part), load3(&group.frame[2], part)])
 }
 
-/// Force and moment about the centroid along normal, tangent, tangent.
-struct Wrench<L> {
-    f: [L; 3],
-    m: [L; 3],
-}
-
-/// The springs of one point in each lane, from the relative velocity and spin along normal, tangent, tangent.
+/// The springs of one point in each lane, from the motion of B relative to A along normal, tangent, tangent.
 #[inline(always)]
-#[expect(clippy::too_many_arguments, reason = "they are what a point needs, and a struct of them would be taken apart at once")]
-fn spring<L: Lanes>(
+fn spring<L: Lanes, M: Motion<L>>(
     p: &mut PointLanes<L::Number>,
     part: usize,
     keep: bool,
     law: &Law<L::Number>,
     relaxation: L,
-    v: &[L; 3],
-    w: &[L; 3],
-    sum: &mut Wrench<L>,
+    motion: &M,
+    sum: &mut M::Wrench,
 ) {
     let zero = L::zero();
-    let (r1, r2) = (load::<L>(&p.arm[0], part), load::<L>(&p.arm[1], part));
-    let (q1, q2) = (load::<L>(&p.lever[0], part), load::<L>(&p.lever[1], part));
+    let arm = [load::<L>(&p.arm[0], part), load::<L>(&p.arm[1], part)];
+    let lever = [load::<L>(&p.lever[0], part), load::<L>(&p.lever[1], part)];
 
     // velocity of the point, its torsional part on the shorter lever; in a substep it is a way
-    let vn = v[0] + (w[1] * r2 - w[2] * r1);
-    let (u1, u2) = (v[1] - w[0] * q2, v[2] + w[0] * q1);
+    let [vn, u1, u2] = motion.at(&arm, &lever);
 
     // normal: a spring, a damper and a Maxwell element, that do not pull; an open point has no stiffness
     let gap = load::<L>(&p.gap, part) + vn;
@@ -460,12 +435,7 @@ fn spring<L: Lanes>(
     s1.store(&mut p.stretch[0].0, part);
     s2.store(&mut p.stretch[1].0, part);
 
-    sum.f[0] -= pull;
-    sum.f[1] -= g1;
-    sum.f[2] -= g2;
-    sum.m[0] -= q1 * g2 - q2 * g1;
-    sum.m[1] -= r2 * pull;
-    sum.m[2] += r1 * pull;
+    M::add(sum, &[pull, g1, g2], &arm, &lever);
 }
 
 /// What brings friction and its springs back to Coulomb's cone, from the squares of speed and friction. The cone narrows from static to
@@ -478,55 +448,4 @@ fn slide<L: Lanes>(law: &Law<L::Number>, n: L, speed: L, friction: L) -> L {
     let limit = mu * n;
     let size = friction.sqrt();
     L::select(limit.less(size), limit / size, one)
-}
-
-/// Semi-implicit Euler: places with the velocity that the springs have just seen, then velocities with the forces, of which the next sums
-/// begin with the load.
-#[inline(always)]
-fn integrate<L: Lanes>(
-    bodies: &mut BodyLanes<L::Number>,
-    part: usize,
-    velocity: &mut [Row<L::Number>],
-    force: &mut [Row<L::Number>],
-    load: &[Row<L::Number>],
-) {
-    let f = L::columns(|l| L::Row::read(&force[l].0));
-    for (to, from) in force.iter_mut().zip(load) {
-        L::Row::read(&from.0).write(&mut to.0);
-    }
-    let (v, w) = (load3::<L>(&bodies.velocity, part), load3::<L>(&bodies.spin, part));
-    add(&mut bodies.shift, part, &v);
-    add(&mut bodies.turn, part, &w);
-    let offset = load3::<L>(&bodies.offset, part);
-    // torque about the centre
-    let lever = cross(&offset, &[f[0], f[1], f[2]]);
-    let t = [f[4] - lever[0], f[5] - lever[1], f[6] - lever[2]];
-    let ease = self::load::<L>(&bodies.ease, part);
-    let v = [v[0] + ease * f[0], v[1] + ease * f[1], v[2] + ease * f[2]];
-    let [xx, yy, zz] = load3::<L>(&bodies.turning_ease[0], part);
-    let [xy, xz, yz] = load3::<L>(&bodies.turning_ease[1], part);
-    let w = [
-        w[0] + (xx * t[0] + xy * t[1] + xz * t[2]),
-        w[1] + (xy * t[0] + yy * t[1] + yz * t[2]),
-        w[2] + (xz * t[0] + yz * t[1] + zz * t[2]),
-    ];
-    store3(&mut bodies.velocity, part, &v);
-    store3(&mut bodies.spin, part, &w);
-    let turning = cross(&w, &offset);
-    let zero = L::zero();
-    let row = [v[0] - turning[0], v[1] - turning[1], v[2] - turning[2], zero, w[0], w[1], w[2], zero];
-    for (row, to) in L::rows(row).into_iter().zip(velocity) {
-        row.write(&mut to.0);
-    }
-}
-
-/// Whether a body has gone as far as it may between two syncs.
-#[inline(always)]
-fn beyond<L: Lanes>(bodies: &BodyLanes<L::Number>) -> bool {
-    let length = |x: [L; 3]| (x[0] * x[0] + x[1] * x[1] + x[2] * x[2]).sqrt();
-    (0..LANES / L::WIDTH).any(|part| {
-        let turn = length(load3(&bodies.turn, part));
-        let travel = length(load3(&bodies.shift, part)) + turn * load(&bodies.radius, part);
-        L::any(load::<L>(&bodies.travel_bound, part).less(travel)) || L::any(load::<L>(&bodies.turn_bound, part).less(turn))
-    })
 }

@@ -26,6 +26,7 @@ mod cluster;
 mod constants;
 mod contacts;
 mod drive;
+mod form;
 mod frame;
 mod hand;
 mod input;
@@ -36,6 +37,7 @@ mod kernel;
     allow(dead_code, reason = "the portable lanes are then only a reference")
 )]
 mod lanes;
+mod lattice;
 mod manifold;
 mod moved;
 mod pack;
@@ -45,6 +47,7 @@ mod regroup;
 mod report;
 mod rest;
 mod restitution;
+mod rigid;
 mod setup;
 mod snapshot;
 mod step;
@@ -53,7 +56,7 @@ mod world;
 
 pub use input::{AppliedForce, Drive, Grip, Hand, Input};
 pub use params::{Params, Precision, Width};
-pub use report::{ContactReport, HandReport, StepReport};
+pub use report::{ContactReport, HandReport, LatticeReport, StepReport};
 pub use restitution::restitution;
 pub use snapshot::SnapshotError;
 pub use world::{BuildError, World};

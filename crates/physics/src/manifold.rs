@@ -5,6 +5,7 @@ use arrayvec::ArrayVec;
 use glam::{DMat3, DVec3};
 use serde::{Deserialize, Serialize};
 
+use crate::body::Bodies;
 use crate::constants::TORSION_LEVER;
 
 /// Which axis separates best.
@@ -78,20 +79,53 @@ impl Manifold {
         key(self.a, self.b)
     }
 
+    /// Normal and tangents in the world. The normal stays upright on the face of A where that is strained.
+    pub fn frame_in_world(&self, bodies: &Bodies) -> [DVec3; 3] {
+        let (_, axes) = bodies.pose(self.a);
+        let [normal, along, across] = self.frame.map(|axis| axes * axis);
+        let Some(stretch) = bodies.stretch_of(self.a) else { return [normal, along, across] };
+        // normals go by the cofactors of what strains the face: det(S) S⁻ᵀ
+        let [x, y, z] = [stretch.x_axis, stretch.y_axis, stretch.z_axis];
+        let cofactors = DMat3::from_cols(y.cross(z), z.cross(x), x.cross(y));
+        let strained = axes * (cofactors * self.frame[0]);
+        let normal = strained.try_normalize().filter(|n| n.dot(normal) > 0.5).unwrap_or(normal);
+        let along = (along - normal * normal.dot(along)).normalize();
+        [normal, along, normal.cross(along)]
+    }
+
     /// How easily a body gives way to this patch, 1/kg: as a whole, or by turning about its centre under a pressure that varies
     /// over the patch, and by turning under the pressure's resultant.
     pub fn mobility_of(&self, mass: f64, inv_inertia: DMat3, to_centroid: DVec3, to_world: impl Fn(DVec3) -> DVec3) -> f64 {
         let tangents = [to_world(self.frame[1]), to_world(self.frame[2])];
-        let variance = |k: usize| self.points.iter().map(|p| p.weight * p.arm[k] * p.arm[k]).sum::<f64>();
         // a lever along one tangent turns the body about the other
         let turn = |k: usize| {
             let axis = tangents[1 - k];
             let offset = to_centroid.dot(tangents[k]);
             let ease = axis.dot(inv_inertia * axis);
-            (variance(k) * ease, offset * offset * ease)
+            (self.variance(k) * ease, offset * offset * ease)
         };
         let ((spread0, offset0), (spread1, offset1)) = (turn(0), turn(1));
         mass.recip().max(spread0).max(spread1) + offset0 + offset1
+    }
+
+    /// The same for a body of particles, which gives way by straining as well. `levers` are the squares of one over the distances of the particles
+    /// from the centre along its axes, 1/m², in the world.
+    pub fn affine_mobility_of(&self, mass: f64, levers: DMat3, to_centroid: DVec3, to_world: impl Fn(DVec3) -> DVec3) -> f64 {
+        let of = |axis: DVec3, square: f64| square * axis.dot(levers * axis);
+        let [normal, ..] = self.frame.map(&to_world);
+        let along = |k: usize| {
+            let tangent = to_world(self.frame[1 + k]);
+            let offset = to_centroid.dot(tangent);
+            (of(tangent, self.variance(k)), of(tangent, offset * offset))
+        };
+        let depth = to_centroid.dot(normal);
+        let ((spread0, offset0), (spread1, offset1)) = (along(0), along(1));
+        ((1.0 + of(normal, depth * depth)).max(spread0).max(spread1) + offset0 + offset1) / mass
+    }
+
+    /// Variance of the points along a tangent, m².
+    fn variance(&self, k: usize) -> f64 {
+        self.points.iter().map(|p| p.weight * p.arm[k] * p.arm[k]).sum::<f64>()
     }
 
     /// Levers of the points' friction from the centroid, m: the resultant acts at the centre of pressure, and around it the points

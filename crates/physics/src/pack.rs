@@ -5,13 +5,15 @@
 //! are free. The order of the sums of forces follows from that and is the same on every machine.
 
 use arrayvec::ArrayVec;
-use glam::{DMat3, DVec3};
+use glam::DVec3;
 
-use crate::body::{Bodies, FLOOR, Shapes, world_tensor};
+use crate::body::{Bodies, FLOOR, Shapes};
 use crate::constants::{FLOOR_STEP_LIMIT, STEP_LIMIT};
 use crate::contacts::Contacts;
-use crate::kernel::{BodyLanes, Group, Kernel, Lane, Row, SLOTS};
-use crate::lanes::{LANES, ROW, Real};
+use crate::form::{Form, Loading};
+use crate::kernel::{Group, Kernel, Lane, Row, SLOTS, put3};
+use crate::lanes::{LANES, Real};
+use crate::lattice::{Particles, Springs};
 use crate::manifold::Manifold;
 use crate::moved::Moved;
 use crate::setup::Setup;
@@ -70,7 +72,7 @@ impl Packing {
     }
 
     /// Takes the springs of what has moved back into the manifolds, and their entries out of their lanes.
-    pub fn unload<R: Real>(&mut self, kernel: &mut Kernel<R>, contacts: &mut Contacts, moved: &Moved) {
+    pub fn unload<R: Real, F: Form<R>>(&mut self, kernel: &mut Kernel<R, F>, contacts: &mut Contacts, moved: &Moved) {
         let floor = kernel.floor();
         for (at, lane) in self.lanes.iter_mut().enumerate() {
             let Some(entry) = lane else { continue };
@@ -100,9 +102,9 @@ impl Packing {
     }
 
     /// Chooses the points of what has moved and gives them lanes. Points left out lose their history: they are open.
-    pub fn load<R: Real>(
+    pub fn load<R: Real, F: Form<R>>(
         &mut self,
-        kernel: &mut Kernel<R>,
+        kernel: &mut Kernel<R, F>,
         contacts: &mut Contacts,
         shapes: &Shapes,
         bodies: &Bodies,
@@ -144,8 +146,10 @@ impl Packing {
                 kernel.groups.push(Group::new(kernel.floor()));
             }
             let manifold = &contacts.manifolds[index];
+            let (rows_a, rows_b) = (if manifold.a == FLOOR { kernel.floor() } else { kernel.place(manifold.a) }, kernel.place(manifold.b));
             let (group, l) = (&mut kernel.groups[place / LANES], place % LANES);
-            self.load_entry(group, l, manifold, bodies);
+            (group.a[l], group.b[l]) = (rows_a, rows_b);
+            self.load_geometry(group, l, manifold, bodies);
             load_points(group, l, &entry, manifold, springs(manifold, shapes, setup), setup.h);
             for i in [entry.a, entry.b].into_iter().filter(|&i| i != FLOOR) {
                 self.entries[i as usize] += 1;
@@ -155,53 +159,47 @@ impl Packing {
     }
 
     /// Puts the geometry of a manifold into lane `l`.
-    fn load_entry<R: Real>(&self, group: &mut Group<R>, l: usize, manifold: &Manifold, bodies: &Bodies) {
+    fn load_geometry<R: Real>(&self, group: &mut Group<R>, l: usize, manifold: &Manifold, bodies: &Bodies) {
         let (center_a, axes_a) = bodies.pose(manifold.a);
         let centroid = center_a + axes_a * manifold.centroid;
-        let set = |to: &mut [Lane<R>; 3], x: DVec3| {
-            for k in 0..3 {
-                to[k].0[l] = R::from_f64(x[k]);
-            }
-        };
-        for k in 0..3 {
-            set(&mut group.frame[k], axes_a * manifold.frame[k]);
+        for (to, axis) in group.frame.iter_mut().zip(manifold.frame_in_world(bodies)) {
+            put3(to, l, axis);
         }
-        set(&mut group.arm, centroid - self.reference);
-        group.b[l] = manifold.b * ROW as u32;
-        if manifold.a != FLOOR {
-            group.a[l] = manifold.a * ROW as u32;
-        }
+        put3(&mut group.arm, l, centroid - self.reference);
     }
 
     /// Puts a body into its lane. `acted` says that something acts on it besides contacts and its load.
-    pub fn load_body<R: Real>(&mut self, kernel: &mut Kernel<R>, shapes: &Shapes, bodies: &Bodies, i: usize, acted: bool) {
+    pub fn load_body<R: Real, F: Form<R>>(
+        &mut self,
+        kernel: &mut Kernel<R, F>,
+        shapes: &Shapes,
+        bodies: &Bodies,
+        lattice: Option<(&Particles, &Springs)>,
+        i: usize,
+        acted: bool,
+    ) {
         let moves = bodies.moves(i);
         self.free[i] = moves && self.entries[i] == 0 && !acted;
-        let (block, l) = (&mut kernel.bodies[i / LANES], i % LANES);
-        let offset = bodies.position[i] - self.reference;
-        let h = kernel.h;
-        let (v, w) = (bodies.velocity[i] * h, bodies.spin[i] * h);
-        let row = |x: DVec3, y: DVec3| Row([x.x, x.y, x.z, 0.0, y.x, y.y, y.z, 0.0].map(R::from_f64));
-        kernel.velocity[i] = row(v - w.cross(offset), w);
-        for k in 0..3 {
-            block.velocity[k].0[l] = R::from_f64(v[k]);
-            block.spin[k].0[l] = R::from_f64(w[k]);
-            block.offset[k].0[l] = R::from_f64(offset[k]);
-            block.shift[k].0[l] = R::default();
-            block.turn[k].0[l] = R::default();
-        }
-        block.radius.0[l] = R::from_f64(shapes.radius[i]);
-        block.travel_bound.0[l] = R::from_f64(self.reach[i]);
-        block.turn_bound.0[l] = R::from_f64(self.turn[i]);
-        let driven = moves && !self.free[i];
-        let (force, torque) = if driven { self.load[i] } else { (DVec3::ZERO, DVec3::ZERO) };
-        kernel.load[i] = row(force, torque + offset.cross(force));
-        block.ease.0[l] = R::from_f64(if driven { h * h / shapes.mass[i] } else { 0.0 });
-        let tensor = if driven { world_tensor(bodies.orientation[i], h * h / shapes.inertia[i]) } else { DMat3::ZERO };
-        let (x, y, z) = (tensor.x_axis, tensor.y_axis, tensor.z_axis);
-        for (to, from) in block.turning_ease.iter_mut().flatten().zip([x.x, y.y, z.z, x.y, x.z, y.z]) {
-            to.0[l] = R::from_f64(from);
-        }
+        let (force, torque) = self.load[i];
+        let body = Loading {
+            h: kernel.h,
+            moves,
+            free: self.free[i],
+            mass: shapes.mass[i],
+            inertia: shapes.inertia[i],
+            radius: shapes.radius[i],
+            offset: bodies.position[i] - self.reference,
+            orientation: bodies.orientation[i],
+            velocity: bodies.velocity[i],
+            spin: bodies.spin[i],
+            reach: self.reach[i],
+            turn: self.turn[i],
+            force,
+            torque,
+            lattice: lattice.map(|(particles, springs)| (particles, shapes.particles[i], springs)),
+        };
+        let rows = F::ROWS * i..F::ROWS * (i + 1);
+        kernel.bodies[i / LANES].load(i % LANES, &body, &mut kernel.velocity[rows.clone()], &mut kernel.load[rows]);
     }
 
     /// Whether a body has entries.
@@ -247,10 +245,10 @@ fn springs(manifold: &Manifold, shapes: &Shapes, setup: &Setup) -> (f64, f64) {
 }
 
 /// Makes room for `n` bodies, all at rest and without bounds, and substeps of `h` (s).
-pub fn make_room<R: Real>(kernel: &mut Kernel<R>, n: usize, h: f64) {
+pub fn make_room<R: Real, F: Form<R>>(kernel: &mut Kernel<R, F>, n: usize, h: f64) {
     let blocks = n.div_ceil(LANES);
     // one beyond the bodies: the floor
-    let rows = blocks * LANES + 1;
+    let rows = F::ROWS * (blocks * LANES + 1);
     (kernel.len, kernel.h) = (n, h);
     kernel.groups.clear();
     for all in [&mut kernel.velocity, &mut kernel.load, &mut kernel.force] {
@@ -258,10 +256,5 @@ pub fn make_room<R: Real>(kernel: &mut Kernel<R>, n: usize, h: f64) {
         all.resize(rows, Row::default());
     }
     kernel.bodies.clear();
-    kernel.bodies.resize(blocks, BodyLanes::default());
-    let far = Lane([R::from_f64(1e30); LANES]);
-    for block in &mut kernel.bodies {
-        block.travel_bound = far;
-        block.turn_bound = far;
-    }
+    kernel.bodies.resize(blocks, F::empty());
 }

@@ -4,6 +4,8 @@
 //! apart from each other for a whole frame. The bounds are generous and kept until a body needs more, or much less, so that in a tower at
 //! rest nothing is to be done; they are a part of the state, for the clusters follow from them.
 
+use teeter_scene::Form;
+
 use crate::broad_phase::{Bound, overlapping};
 use crate::cluster::Cluster;
 use crate::constants::{SWEEP_EXCESS, SWEEP_LEAST, SWEEP_SLACK, SWEEP_SPEED};
@@ -39,7 +41,7 @@ impl Clusters {
 
     /// Brings the clusters up to date for a frame of `frame` (s), in which things from outside may move bodies at the speeds in
     /// `push` (m/s).
-    pub fn regroup(&mut self, params: &Params, frame: f64, push: &[(u32, f64)]) {
+    pub fn regroup(&mut self, params: &Params, form: Form, frame: f64, push: &[(u32, f64)]) {
         // a cluster that has just been joined may be faster than a part of it was before
         loop {
             let mut pushed = vec![0.0; self.list.len()];
@@ -53,14 +55,14 @@ impl Clusters {
                     changed.push(c);
                 }
             }
-            if changed.is_empty() || !self.divide(params, &changed) {
+            if changed.is_empty() || !self.divide(params, form, &changed) {
                 return;
             }
         }
     }
 
     /// Divides anew what has changed and what that may reach; returns whether a cluster is another.
-    fn divide(&mut self, params: &Params, changed: &[usize]) -> bool {
+    fn divide(&mut self, params: &Params, form: Form, changed: &[usize]) -> bool {
         let reached = |c: usize| changed.contains(&c) || changed.iter().any(|&d| self.list[c].hull.overlaps(&self.list[d].hull));
         let involved: Vec<usize> = (0..self.list.len()).filter(|&c| reached(c)).collect();
         let mut ids: Vec<u32> = involved.iter().flat_map(|&c| self.list[c].ids.iter().copied()).collect();
@@ -90,7 +92,7 @@ impl Clusters {
 
         let same = parts.len() == involved.len() && parts.iter().all(|part| self.of(part[0]).0.ids == *part);
         if !same {
-            self.rebuild(params, &involved, &parts);
+            self.rebuild(params, form, &involved, &parts);
         }
         for (part, near) in parts.iter().zip(&near) {
             self.of_mut(part[0]).0.contacts.set_near(near);
@@ -102,16 +104,16 @@ impl Clusters {
     }
 
     /// Divides a single cluster into parts of the given members.
-    pub fn split(&mut self, params: &Params, parts: &[Vec<u32>]) {
-        self.rebuild(params, &[0], parts);
+    pub fn split(&mut self, params: &Params, form: Form, parts: &[Vec<u32>]) {
+        self.rebuild(params, form, &[0], parts);
         self.list.iter_mut().for_each(|cluster| cluster.contacts.renew_near());
     }
 
     /// Puts clusters of the given members in the place of those involved.
-    fn rebuild(&mut self, params: &Params, involved: &[usize], parts: &[Vec<u32>]) {
+    fn rebuild(&mut self, params: &Params, form: Form, involved: &[usize], parts: &[Vec<u32>]) {
         let mut next: Vec<Cluster> = Vec::new();
         for part in parts {
-            let mut cluster = Cluster::new(params);
+            let mut cluster = Cluster::new(params, form);
             let mut sources: Vec<u32> = Vec::new();
             for &id in part {
                 let (source, i) = self.place[id as usize];

@@ -59,3 +59,12 @@ pub struct ContactReport {
     /// Normal force, N.
     pub force: f64,
 }
+
+/// A block of springs: where its particles are and how its springs pull.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+pub struct LatticeReport {
+    /// Places in the world, m.
+    pub particles: [DVec3; 8],
+    /// Forces of the springs, N: pulling is positive, pushing negative. In the order of the pairs of particles (0, 1), (0, 2), ... (6, 7).
+    pub forces: [f64; 28],
+}

@@ -1,7 +1,7 @@
 //! What is the same for all bodies and frames of a world.
 
 use glam::DVec3;
-use teeter_scene::Scene;
+use teeter_scene::{Form, Scene};
 
 use crate::body::Shapes;
 use crate::constants::{
@@ -10,6 +10,7 @@ use crate::constants::{
 };
 use crate::kernel::Law;
 use crate::lanes::Real;
+use crate::lattice::Springs;
 use crate::params::Params;
 use crate::restitution::damping_ratio;
 
@@ -24,6 +25,10 @@ pub struct Setup {
     pub zeta: f64,
     /// Normal stiffness of a contact of the reference area, N/m.
     pub stiffness: f64,
+    /// The springs within the blocks; none where they are rigid.
+    pub springs: Option<Springs>,
+    /// What of the bodies bounds the substep.
+    pub masses: Masses,
     /// Substep, s, and how many make a frame.
     pub h: f64,
     pub substeps: usize,
@@ -36,15 +41,20 @@ pub struct Setup {
 }
 
 impl Setup {
-    pub fn new(scene: &Scene, params: &Params, shapes: &Shapes) -> Self {
+    pub fn new(scene: &Scene, params: &Params, masses: Masses) -> Self {
         let zeta = damping_ratio(scene.restitution);
-        let longest = step_fraction(zeta) * (step_mass(shapes) / scene.stiffness).sqrt();
+        let springs = (scene.form == Form::Lattice).then(|| Springs::new(scene));
+        let mobility = if springs.is_some() { crossed_mobility(scene.springs.particles.place()) } else { CROSSED_MOBILITY };
+        let contact = step_fraction(zeta, mobility) * (masses.step / scene.stiffness).sqrt();
+        let longest = springs.map_or(contact, |springs| contact.min(springs.longest_step(masses.least)));
         let substeps = (params.frame / longest).ceil().max(1.0) as usize;
         Self {
             gravity: scene.gravity,
             mu: (scene.friction, scene.kinetic_friction.unwrap_or(scene.friction)),
             zeta,
             stiffness: scene.stiffness,
+            springs,
+            masses,
             h: params.frame / substeps as f64,
             substeps,
             frame: params.frame,
@@ -73,11 +83,35 @@ impl Setup {
 }
 
 /// The substep times sqrt(k / m) that a damping ratio allows: where 2 k X h² + 2 c X h = [`STEP_LIMIT`] for the contact of
-/// [`CROSSED_MOBILITY`], with c = 2 zeta sqrt(k m / 2). See [`crate::pack`] for the condition. From 0.14 to 0.20.
-fn step_fraction(zeta: f64) -> f64 {
-    let spring = 2.0 * CROSSED_MOBILITY;
-    let damper = 2.0 * CROSSED_MOBILITY * zeta * std::f64::consts::SQRT_2;
+/// nominal blocks that cross at their ends, of which X m is `mobility`, with c = 2 zeta sqrt(k m / 2). See [`crate::pack`] for the
+/// condition. From 0.14 to 0.20 for rigid blocks.
+fn step_fraction(zeta: f64, mobility: f64) -> f64 {
+    let spring = 2.0 * mobility;
+    let damper = 2.0 * mobility * zeta * std::f64::consts::SQRT_2;
     ((damper * damper + 4.0 * spring * STEP_LIMIT).sqrt() - damper) / (2.0 * spring)
+}
+
+/// [`CROSSED_MOBILITY`] for blocks of particles at `place` of the half edges: 2 (1 + Σ l² / g²), where l is (27.1, 0, 9) mm and g are the
+/// distances of the particles from the centre.
+fn crossed_mobility(place: f64) -> f64 {
+    let along = 0.0271 / 0.0405 / place;
+    let up = 1.0 / place;
+    2.0 * (1.0 + along * along + up * up)
+}
+
+/// The masses that bound the substep, kg.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Masses {
+    /// For contacts: that of the nominal block, or what counts as less.
+    pub step: f64,
+    /// Of the lightest body.
+    pub least: f64,
+}
+
+impl Masses {
+    pub fn new(shapes: &Shapes) -> Self {
+        Self { step: step_mass(shapes), least: shapes.mass.iter().copied().fold(f64::INFINITY, f64::min) }
+    }
 }
 
 /// The mass that bounds the substep, kg: that of the lightest body for the stiffness of its largest face. The nominal block has a

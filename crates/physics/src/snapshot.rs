@@ -2,12 +2,14 @@
 
 use glam::DVec3;
 use serde::{Deserialize, Serialize};
+use teeter_scene::Form;
 
 use crate::body::Bodies;
 use crate::cluster::Cluster;
 use crate::contacts::Contacts;
 use crate::hand::Aim;
 use crate::input::AppliedForce;
+use crate::lattice::Particles;
 use crate::regroup::Clusters;
 use crate::world::World;
 
@@ -50,7 +52,7 @@ impl State {
 impl World {
     /// The whole state as bytes. They hold neither the scene nor the constants.
     pub fn snapshot(&self) -> Vec<u8> {
-        let mut whole = Cluster::new(&self.params);
+        let mut whole = Cluster::new(&self.params, self.scene.form);
         for body in 0..self.len() as u32 {
             let (cluster, i) = self.clusters.of(body);
             whole.push(cluster, i);
@@ -69,6 +71,10 @@ impl World {
         };
         let mut bytes = MAGIC.to_vec();
         bytes.extend(postcard::to_stdvec(&state).expect("plain numbers can always be written"));
+        // a world of rigid blocks ends here
+        if self.scene.form == Form::Lattice {
+            bytes.extend(postcard::to_stdvec(&whole.particles).expect("plain numbers can always be written"));
+        }
         bytes
     }
 
@@ -78,25 +84,33 @@ impl World {
     /// When the bytes are no snapshot or one of another number of bodies; the world is then unchanged.
     pub fn restore(&mut self, bytes: &[u8]) -> Result<(), SnapshotError> {
         let body = bytes.strip_prefix(MAGIC).ok_or_else(|| SnapshotError("it does not begin like one".into()))?;
-        let state: State = postcard::from_bytes(body).map_err(|e| SnapshotError(e.to_string()))?;
+        let (state, rest): (State, _) = postcard::take_from_bytes(body).map_err(|e| SnapshotError(e.to_string()))?;
         let n = self.len();
         if state.bodies.len() != n {
             return Err(SnapshotError(format!("it has {} bodies instead of {n}", state.bodies.len())));
         }
-        if !state.is_of(n) {
+        let particles: Vec<Particles> = match self.scene.form {
+            Form::Lattice if rest.is_empty() => return Err(SnapshotError("its blocks are rigid".into())),
+            Form::Lattice => postcard::from_bytes(rest).map_err(|e| SnapshotError(e.to_string()))?,
+            Form::Rigid if rest.is_empty() => Vec::new(),
+            Form::Rigid => return Err(SnapshotError("its blocks have springs".into())),
+        };
+        if !state.is_of(n) || (self.scene.form == Form::Lattice && particles.len() != n) {
             return Err(SnapshotError("it is damaged".into()));
         }
-        let mut whole = Cluster::new(&self.params);
+        let mut whole = Cluster::new(&self.params, self.scene.form);
         for body in 0..n as u32 {
             let (cluster, i) = self.clusters.of(body);
             whole.ids.push(body);
             whole.shapes.push(&cluster.shapes, i);
         }
         whole.bodies = state.bodies;
+        whole.bodies.stretch = particles.iter().zip(&whole.shapes.particles).map(|(p, &half)| p.stretch(half)).collect();
+        whole.particles = particles;
         whole.contacts = state.contacts;
         let (parts, outgrown): (Vec<_>, Vec<_>) = state.clusters.into_iter().unzip();
         self.clusters = Clusters::one(whole);
-        self.clusters.split(&self.params, &parts);
+        self.clusters.split(&self.params, self.scene.form, &parts);
         for (cluster, outgrown) in self.clusters.list.iter_mut().zip(outgrown) {
             cluster.outgrown = outgrown;
         }

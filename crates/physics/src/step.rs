@@ -28,7 +28,7 @@ impl World {
     /// Makes the clusters such that none can touch another in the next frame.
     fn regroup(&mut self, input: &Input) {
         let push = push(input, self.aim.as_ref(), self.setup.frame, |i| self.mass(i));
-        self.clusters.regroup(&self.params, self.setup.frame, &push);
+        self.clusters.regroup(&self.params, self.scene.form, self.setup.frame, &push);
     }
 
     /// Steps each cluster on its own.

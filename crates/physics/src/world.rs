@@ -1,21 +1,22 @@
 //! The world: its bodies in clusters, and what it says of them.
 
-use glam::{DQuat, DVec3};
-use teeter_scene::Scene;
+use glam::{DMat3, DQuat, DVec3};
+use teeter_scene::{Form, Scene, Springs};
 
 use crate::body::{Bodies, FLOOR, Shapes};
 use crate::broad_phase::Bound;
-use crate::cluster::Cluster;
+use crate::cluster::{Cluster, Loop};
 use crate::constants::SWEEP_LEAST;
 use crate::frame::Outcome;
 use crate::hand::{Aim, grasped};
 use crate::input::{AppliedForce, Input};
 use crate::lanes::float_mode::FloatMode;
+use crate::lattice::Particles;
 use crate::params::Params;
 use crate::regroup::Clusters;
-use crate::report::{ContactReport, StepReport};
+use crate::report::{ContactReport, LatticeReport, StepReport};
 use crate::rest;
-use crate::setup::Setup;
+use crate::setup::{Masses, Setup};
 
 /// Why a scene cannot become a world.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
@@ -42,6 +43,8 @@ const STRONGEST_HAND: f64 = 50.0;
 #[derive(Debug, Clone)]
 pub struct World {
     pub(crate) params: Params,
+    /// The scene without its blocks.
+    pub(crate) scene: Scene,
     pub(crate) setup: Setup,
     pub(crate) clusters: Clusters,
     pub(crate) time: f64,
@@ -64,10 +67,12 @@ impl World {
         check(&params)?;
         scene.validate()?;
         let shapes = Shapes::new(scene);
-        let setup = Setup::new(scene, &params, &shapes);
-        let mut cluster = Cluster::new(&params);
+        let setup = Setup::new(scene, &params, Masses::new(&shapes));
+        let mut cluster = Cluster::new(&params, scene.form);
         cluster.ids = (0..scene.blocks.len() as u32).collect();
         cluster.bodies = Bodies::new(scene);
+        cluster.particles = vec![Particles::default(); shapes.particles.len()];
+        cluster.bodies.stretch = vec![DMat3::IDENTITY; shapes.particles.len()];
         let bound = |i| Bound::new(&shapes, &cluster.bodies, i, SWEEP_LEAST);
         cluster.contacts.swept = (0..cluster.len()).map(bound).collect();
         cluster.contacts.bounds = cluster.contacts.swept.clone();
@@ -77,6 +82,7 @@ impl World {
         // the first step divides it
         cluster.outgrown = true;
         let mut world = Self {
+            scene: Scene { blocks: Vec::new(), ..scene.clone() },
             setup,
             clusters: Clusters::one(cluster),
             time: 0.0,
@@ -159,6 +165,54 @@ impl World {
         let (cluster, i) = self.clusters.of_mut(body);
         cluster.bodies.velocity[i] = velocity;
         cluster.bodies.spin[i] = spin;
+        if let Some(particles) = cluster.particles.get_mut(i) {
+            particles.set_motion(cluster.shapes.particles[i], cluster.bodies.orientation[i], velocity, spin);
+        }
+    }
+
+    /// What the blocks are.
+    pub fn form(&self) -> Form {
+        self.scene.form
+    }
+
+    /// Stiffness of the springs within the blocks, N/m, where they have any.
+    pub fn spring_stiffness(&self) -> Option<f64> {
+        self.setup.springs.map(|springs| springs.stiffness)
+    }
+
+    /// Makes the blocks of another form, or gives them other springs, where they are and as they move. Springs that were strained stay so
+    /// where there were springs before.
+    ///
+    /// # Errors
+    /// When a constant of the springs is out of its range; the world is then unchanged.
+    pub fn set_form(&mut self, form: Form, springs: Springs) -> Result<(), BuildError> {
+        let _mode = FloatMode::standard();
+        let scene = Scene { form, springs, ..self.scene.clone() };
+        scene.validate_constants()?;
+        let refit = form != self.scene.form || springs.particles != self.scene.springs.particles;
+        self.scene = scene;
+        for cluster in &mut self.clusters.list {
+            let Cluster { shapes, bodies, particles, .. } = cluster;
+            shapes.set_form(form, springs.particles);
+            if refit {
+                let of = |i: usize, &half: &DVec3| Particles::of_rigid(half, bodies.orientation[i], bodies.velocity[i], bodies.spin[i]);
+                *particles = shapes.particles.iter().enumerate().map(|(i, half)| of(i, half)).collect();
+                bodies.stretch = vec![DMat3::IDENTITY; particles.len()];
+            }
+            cluster.kernel = Loop::new(&self.params, form);
+            cluster.contacts.detect_all(&cluster.shapes, &mut cluster.bodies);
+        }
+        self.setup = Setup::new(&self.scene, &self.params, self.setup.masses);
+        (0..self.len() as u32).for_each(|body| self.wake(body));
+        Ok(())
+    }
+
+    /// Places of the particles of a body in the world, m, and the forces of its springs (N, pulling is positive) in the order of the pairs
+    /// (0, 1), (0, 2), ... (6, 7); none where the body is rigid. Bit k of a particle's number says on which side of axis k it is.
+    pub fn lattice(&self, body: u32) -> Option<LatticeReport> {
+        let (cluster, i) = self.clusters.of(body);
+        let springs = self.setup.springs.as_ref()?;
+        Some(cluster.particles.get(i)?.report(cluster.shapes.particles[i], cluster.bodies.pose(i as u32), springs))
     }
 
     /// Turns a body to an orientation about its centre: how an experiment starts. The contacts are found anew.
@@ -168,7 +222,7 @@ impl World {
         let (cluster, i) = self.clusters.of_mut(body);
         cluster.bodies.orientation[i] = orientation.normalize();
         // what it may sweep now can be another cluster's
-        self.clusters.regroup(&self.params, self.setup.frame, &[]);
+        self.clusters.regroup(&self.params, self.scene.form, self.setup.frame, &[]);
         let (cluster, i) = self.clusters.of_mut(body);
         let due = [i as u32];
         let (pairs, _) = cluster.contacts.candidates(&cluster.shapes, &mut cluster.bodies, &due, SWEEP_LEAST);

@@ -6,16 +6,26 @@ mod common;
 use glam::DVec3;
 use proptest::prelude::*;
 use teeter_physics::{AppliedForce, Drive, Grip, Hand, Input, Params, Precision, Width, World};
-use teeter_scene::{Block, Scene, TowerOptions, field};
+use teeter_scene::{Block, Form, Particles, Scene, Springs, TowerOptions, field};
+
+/// Rigid blocks, or blocks of springs from jelly to wood.
+fn any_form() -> impl Strategy<Value = (Form, Springs)> {
+    let particles = prop_oneof![Just(Particles::Inside), Just(Particles::Corners)];
+    let springs = (prop_oneof![Just(1e3), Just(3e4), Just(1e6), Just(1e7)], 0.01..0.5f64, particles);
+    let lattice =
+        springs.prop_map(|(stiffness, damping, particles)| (Form::Lattice, Springs { stiffness: Some(stiffness), damping, particles }));
+    prop_oneof![2 => Just((Form::Rigid, Springs::default())), 1 => lattice]
+}
 
 /// Some small towers, with blocks of any size in the air above and beside them.
 fn any_scene() -> impl Strategy<Value = Scene> {
     let loose = (prop::array::uniform3(0.01..0.08f64), 0.005..0.05f64, prop::array::uniform2(-0.5..0.5f64), 0.0..3.0f64);
     let stiffness = prop_oneof![Just(3e5), Just(1e6)];
-    (1u32..4, 1u32..6, any::<u64>(), 0.0..1.0f64, stiffness, prop::collection::vec(loose, 0..12)).prop_map(
-        |(towers, rows, seed, restitution, stiffness, loose)| {
+    (1u32..4, 1u32..6, any::<u64>(), 0.0..1.0f64, stiffness, any_form(), prop::collection::vec(loose, 0..12)).prop_map(
+        |(towers, rows, seed, restitution, stiffness, form, loose)| {
             let mut scene = field(towers, &TowerOptions { rows, seed, restitution, ..TowerOptions::default() }).unwrap();
             scene.stiffness = stiffness;
+            (scene.form, scene.springs) = form;
             for (i, (size, mass, [x, y], yaw)) in loose.into_iter().enumerate() {
                 let pos = [x, y, 0.25 + 0.09 * i as f64];
                 scene.blocks.push(Block { id: 1000 + i as u32, size, mass, pos, yaw });

@@ -12,6 +12,7 @@
 //! ```
 
 mod error;
+mod form;
 mod json;
 mod named;
 mod notation;
@@ -23,6 +24,7 @@ mod tower;
 mod validate;
 
 pub use error::SceneError;
+pub use form::{Form, Particles, Springs};
 pub use json::{MAX_BYTES, read_text};
 pub use named::{NAMED, NamedScene, Verdict, named};
 pub use notation::{Cell, Notation};
@@ -30,4 +32,4 @@ pub use preset::BlockPreset;
 pub use random::Random;
 pub use scene::{Block, Scene, standard_gravity, usual_stiffness};
 pub use tower::{FIELD_PITCH, LOOSE_BY, MAX_ROWS, TowerOptions, WOOD_RESTITUTION, config, field, loose, tower};
-pub use validate::{MAX_BLOCKS, STIFFNESS};
+pub use validate::{MAX_BLOCKS, SPRING_DAMPING, SPRING_STIFFNESS, STIFFNESS};

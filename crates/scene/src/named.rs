@@ -6,7 +6,7 @@ use serde::{Deserialize, Serialize};
 
 use crate::random::Random;
 use crate::tower::{self, TowerOptions, WOOD_RESTITUTION, tower};
-use crate::{Block, BlockPreset, Scene, overlap, standard_gravity, usual_stiffness};
+use crate::{Block, BlockPreset, Form, Scene, Springs, overlap, standard_gravity, usual_stiffness};
 
 /// Whether a tower stands.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
@@ -113,6 +113,8 @@ fn blocks(blocks: Vec<Block>) -> Scene {
         kinetic_friction: None,
         restitution: WOOD_RESTITUTION,
         stiffness: usual_stiffness(),
+        form: Form::default(),
+        springs: Springs::default(),
         blocks,
         label: None,
         margin: None,

@@ -2,6 +2,8 @@
 
 use serde::{Deserialize, Serialize};
 
+use crate::form::{Form, Springs};
+
 /// One block: a uniform cuboid, upright, turned about the vertical by `yaw`.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct Block {
@@ -38,6 +40,12 @@ pub struct Scene {
     /// stiffer gives less and takes more steps: their number grows with the square root.
     #[serde(default = "usual_stiffness")]
     pub stiffness: f64,
+    /// What the blocks are.
+    #[serde(default, skip_serializing_if = "is_rigid")]
+    pub form: Form,
+    /// The springs within them, where they have any.
+    #[serde(default, skip_serializing_if = "Springs::is_usual")]
+    pub springs: Springs,
     /// The blocks, in order of creation.
     pub blocks: Vec<Block>,
     /// The exact answer where it is known: `stable` or `unstable`.
@@ -49,6 +57,17 @@ pub struct Scene {
     /// Direction in which the ground is tilted, rad about z from x; present in scenes that ask for the angle of collapse.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub tilt_az: Option<f64>,
+}
+
+impl Scene {
+    /// Stiffness of each spring within the blocks, N/m.
+    pub fn spring_stiffness(&self) -> f64 {
+        self.springs.stiffness.unwrap_or(self.stiffness)
+    }
+}
+
+fn is_rigid(form: &Form) -> bool {
+    *form == Form::Rigid
 }
 
 /// Gravity of the scenes that do not name their own, m/s².

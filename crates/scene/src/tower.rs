@@ -10,7 +10,7 @@ use serde::{Deserialize, Serialize};
 
 use crate::notation::{Cell, Notation};
 use crate::random::Random;
-use crate::{Block, BlockPreset, Scene, SceneError, standard_gravity, usual_stiffness};
+use crate::{Block, BlockPreset, Form, Scene, SceneError, Springs, standard_gravity, usual_stiffness};
 
 /// Most rows of a tower.
 pub const MAX_ROWS: u32 = 200;
@@ -165,6 +165,8 @@ pub(crate) fn build(name: &str, rows: &[[Cell; 3]], options: &TowerOptions) -> R
         kinetic_friction: options.kinetic_friction,
         restitution: options.restitution,
         stiffness: usual_stiffness(),
+        form: Form::default(),
+        springs: Springs::default(),
         blocks,
         label: None,
         margin: None,

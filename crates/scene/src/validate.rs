@@ -7,6 +7,10 @@ use crate::{Scene, SceneError};
 pub const MAX_BLOCKS: usize = 20_000;
 /// Least and greatest stiffness of a scene, N/m.
 pub const STIFFNESS: (f64, f64) = (1e4, 1e8);
+/// Least and greatest stiffness of the springs within a block, N/m: jelly, and twice the stiffness of wood across the grain.
+pub const SPRING_STIFFNESS: (f64, f64) = (1e3, 1e8);
+/// Least and greatest damping ratio of these springs.
+pub const SPRING_DAMPING: (f64, f64) = (0.01, 0.5);
 /// Shortest and longest edge of a block, m.
 const EDGE: (f64, f64) = (1e-3, 10.0);
 /// Heaviest block, kg.
@@ -28,7 +32,8 @@ impl Scene {
         }
     }
 
-    fn validate_constants(&self) -> Result<(), SceneError> {
+    /// The same for all but the blocks.
+    pub fn validate_constants(&self) -> Result<(), SceneError> {
         range("gravity", self.gravity, 0.0, 100.0, " m/s²")?;
         range("friction", self.friction, 0.0, 2.0, "")?;
         if let Some(kinetic) = self.kinetic_friction {
@@ -39,10 +44,9 @@ impl Scene {
             }
         }
         range("restitution", self.restitution, 0.0, 1.0, "")?;
-        if !(STIFFNESS.0..=STIFFNESS.1).contains(&self.stiffness) {
-            let expected = format!("{:e} to {:e} N/m", STIFFNESS.0, STIFFNESS.1);
-            return Err(SceneError::Field { field: "stiffness", value: self.stiffness.to_string(), expected });
-        }
+        stiffness("stiffness", self.stiffness, STIFFNESS)?;
+        stiffness("springs.stiffness", self.spring_stiffness(), SPRING_STIFFNESS)?;
+        range("springs.damping", self.springs.damping, SPRING_DAMPING.0, SPRING_DAMPING.1, "")?;
         if let Some(az) = self.tilt_az {
             range("tilt_az", az, -100.0, 100.0, " rad")?;
         }
@@ -53,16 +57,14 @@ impl Scene {
             let expected = "`stable` or `unstable`".to_owned();
             return Err(SceneError::Field { field: "label", value: format!("{label:?}"), expected });
         }
-        match self.blocks.len() {
-            1..=MAX_BLOCKS => Ok(()),
-            n => {
-                let value = format!("a list of {n}");
-                Err(SceneError::Field { field: "blocks", value, expected: format!("1 to {MAX_BLOCKS} blocks") })
-            }
-        }
+        Ok(())
     }
 
     fn validate_blocks(&self) -> Result<(), SceneError> {
+        if !(1..=MAX_BLOCKS).contains(&self.blocks.len()) {
+            let value = format!("a list of {}", self.blocks.len());
+            return Err(SceneError::Field { field: "blocks", value, expected: format!("1 to {MAX_BLOCKS} blocks") });
+        }
         for b in &self.blocks {
             let bad = |field, value: String, expected: String| Err(SceneError::Block { id: b.id, field, value, expected });
             if !b.size.iter().all(|l| (EDGE.0..=EDGE.1).contains(l)) {
@@ -100,6 +102,13 @@ fn range(field: &'static str, value: f64, low: f64, high: f64, unit: &str) -> Re
         return Ok(());
     }
     Err(SceneError::Field { field, value: value.to_string(), expected: format!("{low} to {high}{unit}") })
+}
+
+fn stiffness(field: &'static str, value: f64, (low, high): (f64, f64)) -> Result<(), SceneError> {
+    if (low..=high).contains(&value) {
+        return Ok(());
+    }
+    Err(SceneError::Field { field, value: value.to_string(), expected: format!("{low:e} to {high:e} N/m") })
 }
 
 fn triple(v: [f64; 3]) -> String {

@@ -3,7 +3,7 @@
 
 use glam::{DQuat, DVec3};
 use teeter_physics::{Input, Params, Precision, StepReport, World};
-use teeter_scene::{Block, Scene};
+use teeter_scene::{Block, Form, Scene, Springs};
 
 /// Standard gravity, m/s².
 pub const G: f64 = 9.81;
@@ -21,6 +21,8 @@ pub fn blocks(at: &[[f64; 3]]) -> Scene {
         kinetic_friction: None,
         restitution: 0.5,
         stiffness: 1e6,
+        form: Form::default(),
+        springs: Springs::default(),
         blocks: blocks.collect(),
         label: None,
         margin: None,

@@ -1,0 +1,206 @@
+//! Rigid bodies in the inner loop: a velocity and a spin each, and a force and a torque.
+
+use glam::{DMat3, DVec3};
+
+use crate::body::world_tensor;
+use crate::form::{Form, Loading, Motion, Push, Taken, lanes};
+use crate::kernel::{Group, Lane, Row, add, cross, geometry, into_frame, load, load3, out_of_frame, put3, row, row_mut, store3, vector};
+use crate::lanes::{LANES, Lanes, Real, Row as _};
+
+/// A body a lane.
+#[derive(Debug, Clone, Copy)]
+pub struct Rigid<R> {
+    /// Velocity of the centre and spin, m and rad per substep.
+    velocity: [Lane<R>; 3],
+    spin: [Lane<R>; 3],
+    /// Centre from the cluster's reference point, m.
+    offset: [Lane<R>; 3],
+    /// h² / m: what a force of 1 N adds to the velocity in a substep.
+    ease: Lane<R>,
+    /// h² times the inverse inertia in the world: xx, yy, zz; xy, xz, yz.
+    turning_ease: [[Lane<R>; 3]; 2],
+    /// Displacement and turn since the last sync, m and rad.
+    shift: [Lane<R>; 3],
+    turn: [Lane<R>; 3],
+    /// Distance to the corners, m.
+    radius: Lane<R>,
+    /// Travel (m) and turn (rad) that end the batch.
+    travel_bound: Lane<R>,
+    turn_bound: Lane<R>,
+}
+
+/// Relative velocity and spin of two rigid bodies, along normal, tangent, tangent.
+#[derive(Debug, Clone, Copy)]
+pub struct Turning<L> {
+    v: [L; 3],
+    w: [L; 3],
+}
+
+/// Force and moment about the centroid along normal, tangent, tangent.
+#[derive(Debug, Clone, Copy)]
+pub struct Wrench<L> {
+    f: [L; 3],
+    m: [L; 3],
+}
+
+impl<L: Lanes> Motion<L> for Turning<L> {
+    type Wrench = Wrench<L>;
+
+    #[inline(always)]
+    fn no_force() -> Wrench<L> {
+        Wrench { f: [L::zero(); 3], m: [L::zero(); 3] }
+    }
+
+    #[inline(always)]
+    fn at(&self, [r1, r2]: &[L; 2], [q1, q2]: &[L; 2]) -> [L; 3] {
+        let (v, w) = (&self.v, &self.w);
+        [v[0] + (w[1] * *r2 - w[2] * *r1), v[1] - w[0] * *q2, v[2] + w[0] * *q1]
+    }
+
+    #[inline(always)]
+    fn add(sum: &mut Wrench<L>, &[pull, g1, g2]: &[L; 3], [r1, r2]: &[L; 2], [q1, q2]: &[L; 2]) {
+        sum.f[0] -= pull;
+        sum.f[1] -= g1;
+        sum.f[2] -= g2;
+        sum.m[0] -= *q1 * g2 - *q2 * g1;
+        sum.m[1] -= *r2 * pull;
+        sum.m[2] += *r1 * pull;
+    }
+}
+
+impl<R: Real> Form<R> for Rigid<R> {
+    const ROWS: usize = 1;
+    type Motion<L: Lanes<Number = R>> = Turning<L>;
+
+    fn empty() -> Self {
+        let far = lanes(1e30);
+        let zero = Lane::default();
+        Self {
+            velocity: [zero; 3],
+            spin: [zero; 3],
+            offset: [zero; 3],
+            ease: zero,
+            turning_ease: [[zero; 3]; 2],
+            shift: [zero; 3],
+            turn: [zero; 3],
+            radius: zero,
+            travel_bound: far,
+            turn_bound: far,
+        }
+    }
+
+    fn load(&mut self, l: usize, body: &Loading, velocity: &mut [Row<R>], load: &mut [Row<R>]) {
+        let h = body.h;
+        let (v, w) = (body.velocity * h, body.spin * h);
+        velocity[0] = Row::of(v - w.cross(body.offset), w);
+        put3(&mut self.velocity, l, v);
+        put3(&mut self.spin, l, w);
+        put3(&mut self.offset, l, body.offset);
+        put3(&mut self.shift, l, DVec3::ZERO);
+        put3(&mut self.turn, l, DVec3::ZERO);
+        self.radius.0[l] = R::from_f64(body.radius);
+        self.travel_bound.0[l] = R::from_f64(body.reach);
+        self.turn_bound.0[l] = R::from_f64(body.turn);
+        // one that flies does so in closed form
+        let driven = body.moves && !body.free;
+        let (force, torque) = if driven { (body.force, body.torque) } else { (DVec3::ZERO, DVec3::ZERO) };
+        load[0] = Row::of(force, torque + body.offset.cross(force));
+        self.ease.0[l] = R::from_f64(if driven { h * h / body.mass } else { 0.0 });
+        let tensor = if driven { world_tensor(body.orientation, h * h / body.inertia) } else { DMat3::ZERO };
+        let (x, y, z) = (tensor.x_axis, tensor.y_axis, tensor.z_axis);
+        put3(&mut self.turning_ease[0], l, DVec3::new(x.x, y.y, z.z));
+        put3(&mut self.turning_ease[1], l, DVec3::new(x.y, x.z, y.z));
+    }
+
+    #[inline(always)]
+    fn relative<L: Lanes<Number = R>>(group: &Group<R>, part: usize, velocity: &[Row<R>]) -> Turning<L> {
+        let first = L::WIDTH * part;
+        // relative velocity at the reference point and relative spin, B over A; then at the centroid, along the frame
+        let d = L::columns(|l| L::Row::read(row(velocity, group.b[first + l])) - L::Row::read(row(velocity, group.a[first + l])));
+        let dw = [d[4], d[5], d[6]];
+        let (arm, frame) = geometry::<L>(group, part);
+        let turning = cross(&dw, &arm);
+        let v = into_frame(&frame, &[d[0] + turning[0], d[1] + turning[1], d[2] + turning[2]]);
+        Turning { v, w: into_frame(&frame, &dw) }
+    }
+
+    #[inline(always)]
+    fn react<L: Lanes<Number = R>>(group: &Group<R>, part: usize, sum: &Wrench<L>, force: &mut [Row<R>]) {
+        let first = L::WIDTH * part;
+        // one force and one moment about the reference point, equal and opposite on the two; vector registers are too few to keep the
+        // geometry until here, and storing it elsewhere would cost more than loading it again
+        let (arm, frame) = geometry::<L>(group, part);
+        let f = out_of_frame(&frame, &sum.f);
+        let m = out_of_frame(&frame, &sum.m);
+        let t = cross(&arm, &f);
+        let zero = L::zero();
+        let rows = L::rows([f[0], f[1], f[2], zero, t[0] + m[0], t[1] + m[1], t[2] + m[2], zero]);
+        for (l, on_b) in rows.into_iter().enumerate() {
+            let a = row_mut(force, group.a[first + l]);
+            (L::Row::read(a) - on_b).write(a);
+            let b = row_mut(force, group.b[first + l]);
+            (L::Row::read(b) + on_b).write(b);
+        }
+    }
+
+    /// Semi-implicit Euler: places with the velocity that the springs have just seen, then velocities with the forces.
+    #[inline(always)]
+    fn integrate<L: Lanes<Number = R>>(&mut self, part: usize, velocity: &mut [Row<R>], force: &mut [Row<R>], load: &[Row<R>]) {
+        let f = L::columns(|l| L::Row::read(&force[l].0));
+        for (to, from) in force.iter_mut().zip(load) {
+            L::Row::read(&from.0).write(&mut to.0);
+        }
+        let (v, w) = (load3::<L>(&self.velocity, part), load3::<L>(&self.spin, part));
+        add(&mut self.shift, part, &v);
+        add(&mut self.turn, part, &w);
+        let offset = load3::<L>(&self.offset, part);
+        // torque about the centre
+        let lever = cross(&offset, &[f[0], f[1], f[2]]);
+        let t = [f[4] - lever[0], f[5] - lever[1], f[6] - lever[2]];
+        let ease = self::load::<L>(&self.ease, part);
+        let v = [v[0] + ease * f[0], v[1] + ease * f[1], v[2] + ease * f[2]];
+        let [xx, yy, zz] = load3::<L>(&self.turning_ease[0], part);
+        let [xy, xz, yz] = load3::<L>(&self.turning_ease[1], part);
+        let w = [
+            w[0] + (xx * t[0] + xy * t[1] + xz * t[2]),
+            w[1] + (xy * t[0] + yy * t[1] + yz * t[2]),
+            w[2] + (xz * t[0] + yz * t[1] + zz * t[2]),
+        ];
+        store3(&mut self.velocity, part, &v);
+        store3(&mut self.spin, part, &w);
+        let turning = cross(&w, &offset);
+        let zero = L::zero();
+        let row = [v[0] - turning[0], v[1] - turning[1], v[2] - turning[2], zero, w[0], w[1], w[2], zero];
+        for (row, to) in L::rows(row).into_iter().zip(velocity) {
+            row.write(&mut to.0);
+        }
+    }
+
+    #[inline(always)]
+    fn beyond<L: Lanes<Number = R>>(&self) -> bool {
+        let length = |x: [L; 3]| (x[0] * x[0] + x[1] * x[1] + x[2] * x[2]).sqrt();
+        (0..LANES / L::WIDTH).any(|part| {
+            let turn = length(load3(&self.turn, part));
+            let travel = length(load3(&self.shift, part)) + turn * load(&self.radius, part);
+            L::any(load::<L>(&self.travel_bound, part).less(travel)) || L::any(load::<L>(&self.turn_bound, part).less(turn))
+        })
+    }
+
+    fn displacement(&self, l: usize) -> (DVec3, DVec3) {
+        (vector(&self.shift, l), vector(&self.turn, l))
+    }
+
+    fn motion(&self, l: usize) -> (DVec3, DVec3) {
+        (vector(&self.velocity, l), vector(&self.spin, l))
+    }
+
+    fn taken(&self, l: usize, h: f64) -> Taken {
+        let ((shift, turn), (v, w)) = (self.displacement(l), self.motion(l));
+        Taken { shift, turn, velocity: v / h, spin: w / h, particles: None }
+    }
+
+    fn push(&self, l: usize, push: &Push, force: &mut [Row<R>]) {
+        let torque = push.arm.cross(push.force) + push.torque;
+        force[0].add(push.force, torque + vector(&self.offset, l).cross(push.force));
+    }
+}

@@ -1,0 +1,353 @@
+//! Blocks of particles and springs: they have the mechanics of rigid blocks where these have one, and become them as their springs stiffen.
+
+mod common;
+
+use common::*;
+use glam::{DMat3, DVec3};
+use teeter_physics::{AppliedForce, Drive, Grip, Hand, Input, Params, Precision, Width, World};
+use teeter_scene::{Form, NAMED, Particles, Scene, Springs, TowerOptions, Verdict, tower};
+
+/// A scene with blocks of springs, as stiff as the contacts.
+fn springy(scene: Scene) -> Scene {
+    Scene { form: Form::Lattice, ..scene }
+}
+
+/// The same with springs of a given stiffness, N/m.
+fn springs_of(stiffness: f64, scene: Scene) -> Scene {
+    Scene { springs: Springs { stiffness: Some(stiffness), ..scene.springs }, ..springy(scene) }
+}
+
+fn corners(scene: Scene) -> Scene {
+    Scene { springs: Springs { particles: Particles::Corners, ..scene.springs }, ..springy(scene) }
+}
+
+fn in_space(scene: Scene) -> Scene {
+    Scene { gravity: 0.0, ..scene }
+}
+
+/// Angular acceleration over torque along each axis of a block of springs, 1/(kg m²), from a torque that is applied as a pair of forces.
+fn turning_ease(scene: &Scene) -> DVec3 {
+    let mut ease = DVec3::ZERO;
+    for k in 0..3 {
+        let (along, across) = ((k + 1) % 3, (k + 2) % 3);
+        let mut world = World::new(scene, Params { precision: Precision::Double, ..awake() }).unwrap();
+        let (mut arm, mut force) = (DVec3::ZERO, DVec3::ZERO);
+        arm[along] = 0.01;
+        force[across] = 1e-5;
+        let pair = [1.0, -1.0].map(|side| AppliedForce { body: 0, point: arm * side, force: force * side });
+        let input = Input { forces: pair.to_vec(), ..Input::default() };
+        // the force grows over the first frame; then the spin grows evenly
+        run(&mut world, 1.0 / 60.0, &input);
+        let before = motion(&world, 0).1[k];
+        run(&mut world, 6.0 / 60.0, &input);
+        ease[k] = (motion(&world, 0).1[k] - before) / (6.0 / 60.0) / (2.0 * arm[along] * force[across]);
+    }
+    ease
+}
+
+#[test]
+fn a_block_is_as_hard_to_turn_as_a_uniform_cuboid() {
+    let exact = inertia(SIZE, MASS);
+    let inside = turning_ease(&in_space(springy(blocks(&[[0.0, 0.0, 1.0]])))).recip() / exact;
+    assert!((inside - 1.0).abs().max_element() < 1e-6, "{inside}");
+    // as in the dissertation: every particle at a corner makes it three times as hard
+    let corner = turning_ease(&in_space(corners(blocks(&[[0.0, 0.0, 1.0]])))).recip() / exact;
+    assert!((corner - 3.0).abs().max_element() < 3e-6, "{corner}");
+}
+
+/// Energy of motion (J) and angular momentum about the origin (kg m²/s) of one block, from its rigid motion.
+fn energy_and_momentum(world: &World) -> (f64, DVec3) {
+    let (v, w) = motion(world, 0);
+    let r = DMat3::from_quat(orientation(world, 0));
+    let spin = r * (inertia(SIZE, MASS) * (r.transpose() * w));
+    (0.5 * MASS * v.length_squared() + 0.5 * w.dot(spin), position(world, 0).cross(MASS * v) + spin)
+}
+
+#[test]
+fn a_tumbling_block_keeps_energy_and_angular_momentum() {
+    for precision in [Precision::Single, Precision::Double] {
+        let scene = in_space(springy(blocks(&[[0.0, 0.0, 5.0]])));
+        let mut world = World::new(&scene, Params { precision, ..awake() }).unwrap();
+        world.set_velocity(0, DVec3::new(0.3, 0.2, 0.1), DVec3::new(12.0, 14.0, 8.0));
+        // the springs take up the spin, which costs some of it
+        run(&mut world, 0.1, &Input::default());
+        let (energy, momentum) = energy_and_momentum(&world);
+        run(&mut world, 1.0, &Input::default());
+        let (later, turned) = energy_and_momentum(&world);
+        assert!((later / energy - 1.0).abs() < 1e-4, "{precision:?}: energy {energy} then {later} J");
+        assert!((turned - momentum).length() < 1e-4 * momentum.length(), "{precision:?}: {momentum} then {turned}");
+    }
+}
+
+#[test]
+fn a_block_falls_as_galileo_says_and_does_not_turn() {
+    let mut world = World::new(&springy(blocks(&[[0.0, 0.0, 10.0]])), Params { ramp: 0.0, ..awake() }).unwrap();
+    run(&mut world, 1.0, &Input::default());
+    let (v, w) = motion(&world, 0);
+    assert!((position(&world, 0) - DVec3::new(0.0, 0.0, 10.0 - 0.5 * G)).length() < 1e-9);
+    assert!((v - DVec3::new(0.0, 0.0, -G)).length() < 1e-9 && w.length() < 1e-6, "{v} {w}");
+}
+
+/// Two blocks of springs collide in space: momentum and angular momentum go from one to the other.
+#[test]
+fn a_collision_keeps_momentum_and_angular_momentum() {
+    let scene = in_space(springy(blocks(&[[0.0, 0.0, 1.0], [0.03, 0.012, 1.03]])));
+    let mut world = World::new(&scene, Params { ramp: 0.0, ..awake() }).unwrap();
+    world.set_velocity(1, DVec3::new(-0.2, 0.0, -0.5), DVec3::new(1.0, -2.0, 3.0));
+    let sums = |world: &World| {
+        (0..2).fold((DVec3::ZERO, DVec3::ZERO), |(p, l), i| {
+            let (v, w) = motion(world, i);
+            let r = DMat3::from_quat(orientation(world, i));
+            (p + MASS * v, l + position(world, i).cross(MASS * v) + r * (inertia(SIZE, MASS) * (r.transpose() * w)))
+        })
+    };
+    let (p, l) = sums(&world);
+    let report = run(&mut world, 0.25, &Input::default());
+    let (p1, l1) = sums(&world);
+    assert!(motion(&world, 0).0.length() > 0.1, "they have met: {report:?}");
+    assert!((p1 - p).length() < 1e-5 * p.length(), "{p} then {p1}");
+    // it is about the origin: what is lost is a part of the lever of 1 m
+    assert!((l1 - l).length() < 1e-4 * l.length(), "{l} then {l1}");
+}
+
+#[test]
+fn blocks_slide_and_stay_as_rigid_ones_do() {
+    let mut world = World::new(&springy(one()), awake()).unwrap();
+    run(&mut world, 1.0, &tilted(0.399));
+    let before = world.poses().to_vec();
+    run(&mut world, 5.0, &tilted(0.399));
+    let moved = displacement(&before, &world);
+    assert!(moved < 1e-9, "{moved:e} m in 5 s");
+
+    let mut world = World::new(&springy(one()), awake()).unwrap();
+    run(&mut world, 1.0, &Input::default());
+    let start = position(&world, 0);
+    world.set_velocity(0, DVec3::new(0.5, 0.0, 0.0), DVec3::ZERO);
+    run(&mut world, 1.0, &Input::default());
+    let distance = position(&world, 0).x - start.x;
+    let expected = 0.5 * 0.5 / (2.0 * 0.4 * G);
+    assert!((distance / expected - 1.0).abs() < 3e-3, "{distance} instead of {expected} m");
+}
+
+#[test]
+fn the_full_tower_of_springs_stands_without_sleep() {
+    let mut world = World::new(&springy(tower(&TowerOptions::default()).unwrap()), awake()).unwrap();
+    run(&mut world, 2.0, &Input::default());
+    let before = world.poses().to_vec();
+    let report = run(&mut world, 8.0, &Input::default());
+    let creep = displacement(&before, &world);
+    assert!(creep < 1e-7, "creep {creep:e} m");
+    assert!(report.rms_speed < 1e-6, "rms speed {:e} m/s", report.rms_speed);
+    assert!(report.penetration < 5e-5, "penetration {:e} m", report.penetration);
+}
+
+#[test]
+fn the_configurations_stand_or_fall_as_rigid_ones_do() {
+    let mut judged = 0;
+    for named in NAMED.iter().filter(|n| n.name.starts_with("test-") || n.name == "loose") {
+        let Some(expected) = named.expect else { continue };
+        let mut world = World::new(&springy(named.scene()), awake()).unwrap();
+        let before = world.poses().to_vec();
+        run(&mut world, 4.0, &Input::default());
+        assert_eq!(displacement(&before, &world) > 5e-3, expected == Verdict::Unstable, "{}", named.name);
+        judged += 1;
+    }
+    assert!(judged >= 6);
+}
+
+/// From jelly to twice wood: nothing runs away, and what is softer sinks further.
+#[test]
+fn the_whole_range_of_stiffness_is_stable() {
+    let mut last = f64::INFINITY;
+    for stiffness in [1e3, 1e4, 1e6, 1e8] {
+        let scene = tower(&TowerOptions { rows: 4, ..TowerOptions::default() }).unwrap();
+        let mut world = World::new(&springs_of(stiffness, scene), awake()).unwrap();
+        let before = position(&world, 11).z;
+        run(&mut world, 1.0, &Input::default());
+        let sink = before - position(&world, 11).z;
+        assert!(sink < last, "{stiffness:e} N/m: {sink} m, after {last} m");
+        last = sink;
+        // a block is knocked out of the middle
+        let push = Drive { body: 7, velocity: DVec3::new(3.0, 1.0, 0.0), max_force: 50.0 };
+        run(&mut world, 0.1, &Input { drives: vec![push], ..Input::default() });
+        for _ in 0..6 {
+            let report = run(&mut world, 0.1, &Input::default());
+            assert!(report.max_speed < 10.0, "{stiffness:e} N/m: {report:?}");
+        }
+    }
+}
+
+/// Figure 6.21 of the dissertation: soft springs and a full tower.
+#[test]
+fn soft_springs_squash_a_full_tower_and_stiff_ones_do_not() {
+    let sink = |stiffness: f64| {
+        let mut world = World::new(&springs_of(stiffness, tower(&TowerOptions::default()).unwrap()), awake()).unwrap();
+        let top = position(&world, 53).z;
+        run(&mut world, 2.0, &Input::default());
+        top - position(&world, 53).z
+    };
+    let (soft, stiff) = (sink(1e3), sink(1e6));
+    assert!(soft > 0.012, "the top of the soft tower is {soft} m lower");
+    assert!(stiff < 5e-4, "the top of the stiff tower is {stiff} m lower");
+}
+
+/// The rest pose of a tower comes to that of rigid blocks as the springs stiffen.
+#[test]
+fn stiff_springs_rest_as_rigid_blocks_do() {
+    let rest = |scene: &Scene| {
+        let mut world = World::new(scene, Params { precision: Precision::Double, ..awake() }).unwrap();
+        run(&mut world, 1.5, &Input::default());
+        position(&world, 11).z
+    };
+    let scene = tower(&TowerOptions { rows: 4, ..TowerOptions::exact() }).unwrap();
+    let rigid = rest(&scene);
+    let [soft, middle, stiff] = [1e5, 1e6, 1e7].map(|stiffness| rigid - rest(&springs_of(stiffness, scene.clone())));
+    // What springs give goes with one over their stiffness, but for how blocks share the load between them: the less that changes, the
+    // nearer to it.
+    let (coarse, fine) = ((soft / middle - 10.0).abs(), (middle / stiff - 10.0).abs());
+    assert!(coarse < 0.5 && fine < 0.5 * coarse, "{soft} {middle} {stiff} m");
+}
+
+/// A block that lies too far out tips over as a rigid one does, the more nearly the stiffer its springs. Short frames keep the places at which
+/// both are synced, to the order of which they differ, out of it.
+#[test]
+fn stiff_springs_fall_as_rigid_blocks_do() {
+    let fall = |scene: &Scene| {
+        let mut world = World::new(scene, Params { precision: Precision::Double, frame: 5e-4, ..awake() }).unwrap();
+        run(&mut world, 0.1, &Input::default());
+        position(&world, 1)
+    };
+    let scene = blocks(&[[0.0, 0.0, 0.009], [0.048, 0.0, 0.027]]);
+    let rigid = fall(&scene);
+    let [soft, middle, stiff] = [1e3, 1e4, 1e5].map(|stiffness| (fall(&springs_of(stiffness, scene.clone())) - rigid).length());
+    assert!(middle < 0.2 * soft && stiff < 0.2 * middle && stiff < 1e-6, "{soft} {middle} {stiff} m");
+}
+
+#[test]
+fn a_hand_pulls_a_loose_block_out() {
+    let mut world = World::new(&springy(teeter_scene::named("loose").unwrap()), awake()).unwrap();
+    run(&mut world, 2.0, &Input::default());
+    let before = world.poses().to_vec();
+    // the loose block of the top row but one, which is pulled along its axis
+    let body = 12;
+    let axis = orientation(&world, body) * DVec3::X;
+    let anchor = DVec3::new(0.0405, 0.0, 0.0);
+    let start = position(&world, body) + orientation(&world, body) * anchor;
+    for frame in 0..150 {
+        let target = start + axis * (0.05 / 60.0 * f64::from(frame + 1)).min(0.12);
+        let hand = Hand {
+            body: body as u32,
+            anchor,
+            target,
+            orientation: Some(orientation(&world, body)),
+            grip: Grip::Slide,
+            axis: DVec3::ZERO,
+            max_force: Hand::default_force(),
+            max_torque: Hand::default_torque(),
+        };
+        let report = world.step(&Input { hand: Some(hand), ..Input::default() });
+        assert!(report.quarantined.is_empty());
+    }
+    assert!((position(&world, body) - DVec3::from_slice(&before[7 * body..])).dot(axis) > 0.09);
+    for i in (0..world.len()).filter(|&i| i != body) {
+        let moved = (position(&world, i) - DVec3::from_slice(&before[7 * i..])).length();
+        assert!(moved < 1e-4, "block {i} moved by {moved} m");
+    }
+}
+
+#[test]
+fn a_running_tower_changes_its_form_without_a_jump() {
+    let mut world = World::new(&tower(&TowerOptions::default()).unwrap(), awake()).unwrap();
+    run(&mut world, 2.0, &Input::default());
+    for form in [Form::Lattice, Form::Rigid, Form::Lattice] {
+        let before = world.poses().to_vec();
+        world.set_form(form, Springs::default()).unwrap();
+        assert_eq!(world.form(), form);
+        run(&mut world, 1.0, &Input::default());
+        let moved = displacement(&before, &world);
+        assert!(moved < 1e-4, "to {form}: {moved} m");
+    }
+    let error = world.set_form(Form::Lattice, Springs { stiffness: Some(10.0), ..Springs::default() }).unwrap_err();
+    assert_eq!(error.to_string(), "`springs.stiffness` is 10, expected 1e3 to 1e8 N/m");
+    assert_eq!(world.spring_stiffness(), Some(1e6));
+}
+
+#[test]
+fn a_snapshot_holds_the_springs() {
+    let mut world = World::new(&springy(column(3)), awake()).unwrap();
+    run(&mut world, 0.2, &Input::default());
+    let state = world.snapshot();
+    let mut other = World::new(&springy(column(3)), awake()).unwrap();
+    other.restore(&state).unwrap();
+    assert_eq!(other.lattice(1), world.lattice(1));
+    run(&mut world, 0.3, &Input::default());
+    run(&mut other, 0.3, &Input::default());
+    assert_eq!(world.hash(), other.hash());
+
+    let mut rigid = World::new(&column(3), awake()).unwrap();
+    assert_eq!(rigid.restore(&state).unwrap_err().to_string(), "not a snapshot of this world: its blocks have springs");
+    let rigid_state = rigid.snapshot();
+    assert_eq!(world.restore(&rigid_state).unwrap_err().to_string(), "not a snapshot of this world: its blocks are rigid");
+}
+
+#[test]
+fn all_widths_give_the_same_bits() {
+    for precision in [Precision::Single, Precision::Double] {
+        let hashes = [Width::Portable, Width::Sse2, Width::Avx2, Width::Avx512].map(|width| {
+            let scene = springy(tower(&TowerOptions { rows: 5, ..TowerOptions::default() }).unwrap());
+            let mut world = World::new(&scene, Params { precision, width, ..awake() }).unwrap();
+            run(&mut world, 0.4, &Input::default());
+            let push = Drive { body: 7, velocity: DVec3::new(1.0, 0.5, 0.0), max_force: 50.0 };
+            run(&mut world, 0.2, &Input { drives: vec![push], ..Input::default() });
+            world.hash()
+        });
+        assert!(hashes.iter().all(|&hash| hash == hashes[0]), "{precision:?}: {hashes:x?}");
+    }
+}
+
+/// The weight above a block goes through it: what its springs push up is what it carries.
+#[test]
+fn the_springs_carry_what_stands_above() {
+    let mut world = World::new(&springy(column(4)), awake()).unwrap();
+    run(&mut world, 2.0, &Input::default());
+    let report = world.lattice(0).unwrap();
+    let mut n = 0;
+    let (mut up, mut worst): (f64, f64) = (0.0, 0.0);
+    for i in 0..8usize {
+        for j in i + 1..8 {
+            let force = report.forces[n];
+            n += 1;
+            worst = worst.max(force.abs());
+            // from a lower to an upper particle
+            if (i ^ j) & 4 != 0 {
+                let along = (report.particles[j] - report.particles[i]).normalize();
+                up -= force * along.z;
+            }
+        }
+    }
+    assert!(worst > 0.01);
+    // particles inside carry the half of the block's own weight that is above the middle, and of what is above on a longer lever: the
+    // surfaces are √3 times as far apart as the particles
+    let above = 3.0 * MASS * G;
+    let own = MASS * G;
+    let expected = 3f64.sqrt() * (above + own / 2.0);
+    assert!((up / expected - 1.0).abs() < 0.01, "{up} N instead of {expected} N");
+}
+
+#[test]
+fn a_column_is_pulled_apart_at_coulombs_force() {
+    // the fourth block slips with all that is above it
+    let pull = 0.4 * 7.0 * MASS * G;
+    let moved = |share: f64| {
+        let mut world = World::new(&springy(column(10)), awake()).unwrap();
+        run(&mut world, 2.0, &Input::default());
+        let start = position(&world, 3);
+        for step in 0..180 {
+            let force = DVec3::X * (share * pull * f64::from(step + 1).min(120.0) / 120.0);
+            world.step(&Input { forces: vec![AppliedForce { body: 3, point: DVec3::ZERO, force }], ..Input::default() });
+        }
+        (position(&world, 3) - start).x
+    };
+    let (below, above) = (moved(0.995), moved(1.005));
+    assert!(below < 1e-5 && above > 1e-3, "{below} and {above} m");
+}
