@@ -1,7 +1,8 @@
 //! A world behind the border.
 
+use serde::Deserialize;
 use teeter_physics::{Input, Params, World};
-use teeter_scene::Scene;
+use teeter_scene::{Form, Scene, Springs};
 use wasm_bindgen::prelude::*;
 
 use crate::Failure;
@@ -11,6 +12,7 @@ use crate::Failure;
 #[derive(Debug)]
 pub struct Simulation {
     world: World,
+    lattices: Vec<f32>,
 }
 
 #[wasm_bindgen]
@@ -25,7 +27,7 @@ impl Simulation {
             serde_json::from_str(params).map_err(|e| Failure::reading("parameters", e))?
         };
         let world = World::new(&scene, params).map_err(|e| Failure(e.to_string()))?;
-        Ok(Self { world })
+        Ok(Self { world, lattices: Vec::new() })
     }
 
     /// Advances by one frame under `input` (JSON of [`Input`]; empty text for none) and gives the report as JSON.
@@ -96,6 +98,40 @@ impl Simulation {
         self.world.stiffness()
     }
 
+    /// What the blocks are: `rigid` or `lattice`.
+    #[wasm_bindgen(getter)]
+    pub fn form(&self) -> String {
+        self.world.form().to_string()
+    }
+
+    /// Stiffness of the springs within the blocks, N/m; undefined where they are rigid.
+    #[wasm_bindgen(getter, js_name = springStiffness)]
+    pub fn spring_stiffness(&self) -> Option<f64> {
+        self.world.spring_stiffness()
+    }
+
+    /// Makes the blocks of another form (JSON of `{"form", "springs"}` as in a scene) where they are and as they move. What cannot be leaves the
+    /// world as it was.
+    #[wasm_bindgen(js_name = setForm)]
+    pub fn set_form(&mut self, form: &str) -> Result<(), Failure> {
+        let Blocks { form, springs } = serde_json::from_str(form).map_err(|e| Failure::reading("form", e))?;
+        self.world.set_form(form, springs).map_err(|e| Failure(e.to_string()))
+    }
+
+    /// Writes down the particles and springs of all bodies and says where they lie in wasm memory: 52 floats a body, the places of its 8
+    /// particles (m, in the world) and the forces of its 28 springs (N, pulling is positive; between particles 0 and 1, 0 and 2, ... 6
+    /// and 7). Bit k of a particle's number says on which side of axis k of the block it is. Nothing where the blocks are rigid. Any later
+    /// call may move them, so make the view anew.
+    #[wasm_bindgen(js_name = latticesPtr)]
+    pub fn lattices_ptr(&mut self) -> *const f32 {
+        self.lattices.clear();
+        for report in (0..self.world.len() as u32).filter_map(|body| self.world.lattice(body)) {
+            self.lattices.extend(report.particles.iter().flat_map(|at| at.as_vec3().to_array()));
+            self.lattices.extend(report.forces.iter().map(|&force| force as f32));
+        }
+        self.lattices.as_ptr()
+    }
+
     /// Simulated time, s.
     pub fn time(&self) -> f64 {
         self.world.time()
@@ -105,6 +141,14 @@ impl Simulation {
         let count = self.world.len();
         if (body as usize) < count { Ok(()) } else { Err(Failure(format!("there is no body {body}: the world has {count}"))) }
     }
+}
+
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+struct Blocks {
+    form: Form,
+    #[serde(default)]
+    springs: Springs,
 }
 
 #[cfg(test)]
@@ -137,6 +181,24 @@ mod tests {
         let hand = r#"{"hand": {"body": 7, "anchor": [0, 0, 0], "target": [0, 0, 0], "grip": "carry"}}"#;
         assert_eq!(simulation.step(hand).unwrap_err().to_string(), "there is no body 7: the world has 1");
         assert!(simulation.contacts(1).is_err() && simulation.asleep(1).is_err());
+    }
+
+    #[test]
+    fn blocks_get_springs_and_lose_them() {
+        let mut simulation = one();
+        assert_eq!((simulation.form().as_str(), simulation.spring_stiffness()), ("rigid", None));
+        simulation.lattices_ptr();
+        assert!(simulation.lattices.is_empty());
+        simulation.set_form(r#"{"form": "lattice", "springs": {"stiffness": 2e6}}"#).unwrap();
+        assert_eq!((simulation.form().as_str(), simulation.spring_stiffness()), ("lattice", Some(2e6)));
+        simulation.lattices_ptr();
+        assert_eq!(simulation.lattices.len(), 52);
+        // the eighth particle is inside of the corner where all coordinates are greatest
+        let inside = 0.0405 / 3f32.sqrt();
+        assert!((simulation.lattices[21] - inside).abs() < 1e-6, "{:?}", &simulation.lattices[21..24]);
+        let line = simulation.set_form(r#"{"form": "lattice", "springs": {"stiffness": 5}}"#).unwrap_err().to_string();
+        assert_eq!(line, "`springs.stiffness` is 5, expected 1e3 to 1e8 N/m");
+        assert_eq!(simulation.spring_stiffness(), Some(2e6));
     }
 
     #[test]
