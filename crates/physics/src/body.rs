@@ -31,11 +31,8 @@ impl Shapes {
         let mut shapes = Self::default();
         for block in &scene.blocks {
             let half = DVec3::from(block.size) / 2.0;
-            let square = half * half;
             shapes.half.push(half);
             shapes.mass.push(block.mass);
-            // uniform cuboid: m (ly² + lz²) / 12
-            shapes.inertia.push(block.mass / 3.0 * DVec3::new(square.y + square.z, square.z + square.x, square.x + square.y));
             shapes.radius.push(half.length());
         }
         shapes.set_form(scene.form, scene.springs.particles);
@@ -56,6 +53,15 @@ impl Shapes {
         self.particles = match form {
             Form::Rigid => Vec::new(),
             Form::Lattice => self.half.iter().map(|&half| half * particles.place()).collect(),
+        };
+        let moments = |half: DVec3| {
+            let square = half * half;
+            DVec3::new(square.y + square.z, square.z + square.x, square.x + square.y)
+        };
+        self.inertia = match form {
+            // uniform cuboid: m (ly² + lz²) / 12
+            Form::Rigid => self.mass.iter().zip(&self.half).map(|(mass, &half)| mass / 3.0 * moments(half)).collect(),
+            Form::Lattice => self.mass.iter().zip(&self.particles).map(|(mass, &half)| *mass * moments(half)).collect(),
         };
     }
 }

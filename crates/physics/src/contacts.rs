@@ -6,6 +6,7 @@ use crate::body::{Bodies, FLOOR, Shapes, world_tensor};
 use crate::box_box::{Cuboid, Meeting, box_box, box_floor};
 use crate::broad_phase::{Bound, Near, overlapping};
 use crate::constants::{LEAST_NEAR, MARGIN_RANGE, MARGIN_SHARE, MARGIN_TIME};
+use crate::lattice::STRAIN_INERTIA;
 use crate::manifold::{Manifold, key};
 
 /// The manifolds of a cluster, sorted by [`Manifold::key`], and the bounds by which they are found.
@@ -185,11 +186,11 @@ fn mobility(manifold: &Manifold, shapes: &Shapes, bodies: &Bodies) -> f64 {
     let of = |i: u32| {
         let i = i as usize;
         let arm = centroid - bodies.position[i];
-        if let Some(&half) = shapes.particles.get(i) {
-            let levers = world_tensor(bodies.orientation[i], (half * half).recip());
-            return manifold.affine_mobility_of(shapes.mass[i], levers, arm, |d| axes * d);
-        }
-        manifold.mobility_of(shapes.mass[i], bodies.inv_inertia(shapes, i), arm, |d| axes * d)
+        let rigid = manifold.mobility_of(shapes.mass[i], bodies.inv_inertia(shapes, i), arm, |d| axes * d);
+        let Some(&half) = shapes.particles.get(i) else { return rigid };
+        let levers = world_tensor(bodies.orientation[i], (half * half).recip());
+        let affine = manifold.affine_mobility_of(shapes.mass[i], levers, arm, |d| axes * d);
+        rigid + (affine - rigid) / STRAIN_INERTIA
     };
     of(manifold.b) + if manifold.a == FLOOR { 0.0 } else { of(manifold.a) }
 }

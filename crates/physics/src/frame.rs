@@ -202,7 +202,7 @@ impl Cluster {
         match (&taken.particles, self.particles.get_mut(i)) {
             (Some(moved), Some(particles)) => {
                 let flight = flies.then_some((taken.shift, taken.velocity));
-                lattice::advance(self.shapes.particles[i], &mut self.bodies, i, particles, moved, flight, time);
+                lattice::advance(&self.shapes, &mut self.bodies, i, particles, moved, flight, time);
             }
             _ => sync::advance(&self.shapes, &mut self.bodies, i, &taken, time),
         }

@@ -10,7 +10,7 @@ use crate::constants::{
 };
 use crate::kernel::Law;
 use crate::lanes::Real;
-use crate::lattice::Springs;
+use crate::lattice::{STRAIN_INERTIA, Springs};
 use crate::params::Params;
 use crate::restitution::damping_ratio;
 
@@ -91,12 +91,15 @@ fn step_fraction(zeta: f64, mobility: f64) -> f64 {
     ((damper * damper + 4.0 * spring * STEP_LIMIT).sqrt() - damper) / (2.0 * spring)
 }
 
-/// [`CROSSED_MOBILITY`] for blocks of particles at `place` of the half edges: 2 (1 + Σ l² / g²), where l is (27.1, 0, 9) mm and g are the
-/// distances of the particles from the centre.
+/// [`CROSSED_MOBILITY`] for blocks of particles at `place` of the half edges: 2 X m, where X m is 1 + d² m / I for the block as a whole and
+/// 1 + Σ l² / g² for its particles, of which only a part comes from straining; d = 27.1 mm, l = (27.1, 0, 9) mm, and g are the distances of the
+/// particles from the centre.
 fn crossed_mobility(place: f64) -> f64 {
-    let along = 0.0271 / 0.0405 / place;
-    let up = 1.0 / place;
-    2.0 * (1.0 + along * along + up * up)
+    let (along, up) = (0.0271, 0.009);
+    let (far, high) = (0.0405 * place, 0.009 * place);
+    let rigid = 1.0 + along * along / (far * far + high * high);
+    let affine = 1.0 + along * along / (far * far) + up * up / (high * high);
+    2.0 * (rigid + (affine - rigid) / STRAIN_INERTIA)
 }
 
 /// The masses that bound the substep, kg.

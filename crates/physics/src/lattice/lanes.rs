@@ -5,9 +5,9 @@
 use glam::{DMat3, DVec3};
 
 use super::springs::{KINDS, SPRINGS, ends, spring};
-use super::{PARTICLES, outer, place, sign, whole_moment};
+use super::{PARTICLES, STRAIN_INERTIA, outer, place, sign, whole_moment};
 use crate::form::{Form, Loading, Motion, Push, Taken, lanes};
-use crate::kernel::{Group, Lane, Row, geometry, into_frame, load, load3, out_of_frame, put3, row, row_mut, store3, vector};
+use crate::kernel::{Group, Lane, Row, cross, geometry, into_frame, load, load3, out_of_frame, put3, row, row_mut, store3, vector};
 use crate::lanes::{LANES, Lanes, ROW, Real, Row as _};
 
 /// A block a lane. Lengths and velocities are in the world, from the pose at the last sync.
@@ -20,7 +20,7 @@ pub struct Lattice<R> {
     strain: [Lane<R>; SPRINGS],
     /// Edges between particles along the axes of the body, m.
     edge: [[Lane<R>; 3]; 3],
-    /// Stiffness and damping of a kind of spring, as in [`spring`], times h² over the mass of a particle, 1/m².
+    /// Stiffness and damping of a kind of spring, as in [`spring`], times h² over the mass of a particle and [`STRAIN_INERTIA`], 1/m².
     stiffness: [Lane<R>; KINDS],
     damping: [Lane<R>; KINDS],
     /// The axes over eight times the distances of the particles from the centre, 1/m.
@@ -36,6 +36,8 @@ pub struct Lattice<R> {
     /// Travel (m) and turn (rad) that end the batch.
     travel_bound: Lane<R>,
     turn_bound: Lane<R>,
+    /// 1 / (|e_k|² Σ |e_j|²) over the other two edges e_j: what of a torque along an edge turns the particles, 1/m⁴.
+    turning_ease: [Lane<R>; 3],
     /// 1 / (8 g) along each axis, 1/m.
     inv_lever: [Lane<R>; 3],
 }
@@ -102,6 +104,7 @@ impl<R: Real> Form<R> for Lattice<R> {
             spread: zero,
             travel_bound: far,
             turn_bound: far,
+            turning_ease: [zero; 3],
             inv_lever: [zero; 3],
         }
     }
@@ -129,7 +132,7 @@ impl<R: Real> Form<R> for Lattice<R> {
         let beta = springs.damper(body.mass) / (springs.stiffness * h);
         for kind in 1..=KINDS {
             let along = |k: usize| if kind >> k & 1 == 1 { edges[k].length_squared() } else { 0.0 };
-            let k = ease * springs.stiffness / (along(0) + along(1) + along(2));
+            let k = ease / STRAIN_INERTIA * springs.stiffness / (along(0) + along(1) + along(2));
             self.stiffness[kind - 1].0[l] = R::from_f64(k * (1.0 + beta));
             self.damping[kind - 1].0[l] = R::from_f64(k * beta);
         }
@@ -138,6 +141,8 @@ impl<R: Real> Form<R> for Lattice<R> {
             put3(&mut self.dual[k], l, axes.col(k) / (8.0 * half[k]));
             put3(&mut self.start[k], l, (0..PARTICLES).map(|i| shift[i] * sign(i, k)).sum());
             self.inv_lever[k].0[l] = R::from_f64(1.0 / (8.0 * half[k]));
+            let square = |j: usize| edges[j % 3].length_squared();
+            self.turning_ease[k].0[l] = R::from_f64(1.0 / (square(k) * (square(k + 1) + square(k + 2))));
         }
         put3(&mut self.offset, l, body.offset);
         self.ease.0[l] = R::from_f64(ease);
@@ -279,12 +284,20 @@ impl<R: Real> Lattice<R> {
         let ease = load::<L>(&self.ease, part);
         let share = ease * L::number(1.0 / PARTICLES as f64);
         let mut pulls = [[L::zero(); 3]; PARTICLES];
+        let mut along = [[L::zero(); 3]; 3];
         let dual = [load3::<L>(&self.dual[0], part), load3::<L>(&self.dual[1], part), load3::<L>(&self.dual[2], part)];
         for k in 0..3 {
             // moments about the centre
             let m = [f[4 + k] - f[k] * offset[0], g[k] - f[k] * offset[1], g[4 + k] - f[k] * offset[2]];
             let [x, y, z] = into_frame(&dual, &m);
-            let (x, y, z) = (ease * x, ease * y, ease * z);
+            for (along, x) in along.iter_mut().zip([x, y, z]) {
+                along[k] = ease * x;
+            }
+        }
+        self.stiffen(part, &mut along);
+        let [x, y, z] = along;
+        for k in 0..3 {
+            let (x, y, z) = (x[k], y[k], z[k]);
             let whole = f[k] * share;
             let (low, high) = (whole - z, whole + z);
             let rows = [low - y, low + y, high - y, high + y];
@@ -294,6 +307,25 @@ impl<R: Real> Lattice<R> {
             }
         }
         pulls
+    }
+
+    /// Leaves of what accelerates the axes, apart from what turns them together, one over [`STRAIN_INERTIA`].
+    #[inline(always)]
+    fn stiffen<L: Lanes<Number = R>>(&self, part: usize, along: &mut [[L; 3]; 3]) {
+        let edge = [load3::<L>(&self.edge[0], part), load3::<L>(&self.edge[1], part), load3::<L>(&self.edge[2], part)];
+        // The particles turn with β where Σ e × x = Σ e × (β × e): they are the ends of the axes, and β is h² times half the angular acceleration.
+        let (x, y, z) = (cross(&edge[0], &along[0]), cross(&edge[1], &along[1]), cross(&edge[2], &along[2]));
+        let torque = [x[0] + y[0] + z[0], x[1] + y[1] + z[1], x[2] + y[2] + z[2]];
+        let ease = load3::<L>(&self.turning_ease, part);
+        let [x, y, z] = into_frame(&edge, &torque);
+        let turning = out_of_frame(&edge, &[x * ease[0], y * ease[1], z * ease[2]]);
+        let (keep, whole) = (L::number(1.0 / STRAIN_INERTIA), L::number(1.0 - 1.0 / STRAIN_INERTIA));
+        for k in 0..3 {
+            let turned = cross(&turning, &edge[k]);
+            for (x, turned) in along[k].iter_mut().zip(turned) {
+                *x = keep * *x + whole * turned;
+            }
+        }
     }
 
     /// What the springs do to the velocity of each particle in a substep.

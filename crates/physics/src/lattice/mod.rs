@@ -15,13 +15,13 @@ mod springs;
 mod tests;
 
 pub use lanes::Lattice;
-pub use springs::Springs;
 use springs::{SPRINGS, ends};
+pub use springs::{STRAIN_INERTIA, Springs};
 
 use glam::{DMat3, DQuat, DVec3};
 use serde::{Deserialize, Serialize};
 
-use crate::body::{Bodies, turned, world_tensor};
+use crate::body::{Bodies, Shapes, turned};
 use crate::report::LatticeReport;
 
 /// Particles of a block.
@@ -120,7 +120,7 @@ fn nearest_rotation(f: DMat3, start: DQuat) -> DQuat {
 /// Moves body `i` by what the inner loop did to its particles in `time` (s). Where it flew, `flight` has how its centre moved: displacement
 /// (m) and velocity (m/s).
 pub fn advance(
-    half: DVec3,
+    shapes: &Shapes,
     bodies: &mut Bodies,
     i: usize,
     particles: &mut Particles,
@@ -128,7 +128,7 @@ pub fn advance(
     flight: Option<(DVec3, DVec3)>,
     time: f64,
 ) {
-    let q0 = bodies.orientation[i];
+    let (half, q0) = (shapes.particles[i], bodies.orientation[i]);
     let mut at = [DVec3::ZERO; PARTICLES];
     let mut velocity = [DVec3::ZERO; PARTICLES];
     for (j, &(shift, v)) in moved.iter().enumerate() {
@@ -141,7 +141,7 @@ pub fn advance(
     let mut momentum = DVec3::ZERO;
     for j in 0..PARTICLES {
         at[j] -= found_shift;
-        momentum += at[j].cross(velocity[j]) / PARTICLES as f64;
+        momentum += at[j].cross(velocity[j]) * (shapes.mass[i] / PARTICLES as f64);
         particles.velocity[j] = velocity[j] + correction;
     }
     let q = nearest_rotation(gradient(&at, half), q0);
@@ -152,8 +152,7 @@ pub fn advance(
     bodies.position[i] += shift;
     bodies.orientation[i] = q;
     bodies.velocity[i] = center_velocity;
-    // angular momentum over moment of inertia, both over mass
-    bodies.spin[i] = world_tensor(q, moments(half).recip()) * momentum;
+    bodies.spin[i] = bodies.inv_inertia(shapes, i) * momentum;
     bodies.stretch[i] = particles.stretch(half);
 }
 
@@ -163,12 +162,6 @@ pub fn halt(bodies: &Bodies, particles: &mut [Particles]) {
         debug_assert!(bodies.velocity[i] == DVec3::ZERO);
         particles.velocity = [DVec3::ZERO; PARTICLES];
     }
-}
-
-/// Principal moments of inertia of the particles over the mass, m².
-pub fn moments(half: DVec3) -> DVec3 {
-    let square = half * half;
-    DVec3::new(square.y + square.z, square.z + square.x, square.x + square.y)
 }
 
 /// The moment M = Σ f ⊗ l of forces that turn a block as a whole with a torque (N m): those that give each particle the acceleration of the
