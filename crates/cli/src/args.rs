@@ -24,6 +24,8 @@ pub enum Command {
     Run(Run),
     /// Predict labelled towers: which fall, or at what tilt.
     Score(Score),
+    /// Measure the force that starts each block sliding, and say what rigid blocks would need.
+    Forces(Forces),
 }
 
 #[derive(Debug, Args)]
@@ -172,6 +174,17 @@ pub struct Score {
     #[command(flatten)]
     pub engine: Engine,
     /// The summary as one JSON object on standard output; predictions then only go to --out.
+    #[arg(long)]
+    pub json: bool,
+}
+
+#[derive(Debug, Args)]
+pub struct Forces {
+    /// A scene's file, `-` for standard input, or the name of a scene of the list.
+    pub scene: PathBuf,
+    #[command(flatten)]
+    pub engine: Engine,
+    /// One JSON object.
     #[arg(long)]
     pub json: bool,
 }

@@ -2,6 +2,7 @@
 
 mod args;
 mod fault;
+mod forces;
 mod input;
 mod labelled;
 mod measure;
@@ -30,6 +31,7 @@ fn main() -> ExitCode {
         Command::Scene(args) => scenes::main(args),
         Command::Run(args) => run::main(args),
         Command::Score(args) => score::main(args),
+        Command::Forces(args) => forces::main(args),
         Command::Play(args) => play::main(args),
     };
     match done {

@@ -1,0 +1,33 @@
+//! Measurements of worlds against exact mechanics.
+//!
+//! Each file measures one thing and says how. What is measured comes back as plain data with units; reports on it are the business of who asks.
+//! Nothing here reads a clock or a file, and the same question gives the same bits in any number of threads.
+//!
+//! ```
+//! use teeter_physics::Params;
+//!
+//! let scene = teeter_scene::config("(1L1)-(010)", &teeter_scene::TowerOptions::exact()).unwrap();
+//! let blocks = teeter_study::forces(&scene, Params::default(), || ())?;
+//! // the block in the middle is loose: its own weight times friction holds it
+//! let expected = 0.4 * scene.blocks[1].mass * scene.gravity;
+//! assert!((blocks[1].forward_n.unwrap() - expected).abs() < 2e-3);
+//! # Ok::<(), teeter_physics::BuildError>(())
+//! ```
+
+mod each;
+mod exact;
+mod forces;
+mod plan;
+mod settle;
+mod start;
+mod stiff;
+pub mod torsion;
+mod xray;
+
+pub use each::each;
+pub use exact::{Answer, NoAnswer, Rigid};
+pub use forces::{BlockForces, forces, forces_from};
+pub use plan::long_axis;
+pub use settle::{SETTLE, frames, run, settled};
+pub use start::{SLID, STRONGEST, starting_force};
+pub use xray::{Load, xray};
