@@ -5,7 +5,6 @@ mod fault;
 mod forces;
 mod input;
 mod labelled;
-mod measure;
 mod output;
 mod play;
 mod predict;

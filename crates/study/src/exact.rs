@@ -94,6 +94,47 @@ struct Point {
     lever: f64,
 }
 
+/// A region in which two blocks, or a block and the floor, touch.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Patch {
+    /// Index of the lower block; none for the floor.
+    pub below: Option<usize>,
+    /// Index of the upper block.
+    pub above: usize,
+    /// Lever of its torsional friction, see [`crate::torsion`].
+    pub lever: f64,
+    /// Places of the corners (m), anticlockwise, and the normal forces there (N).
+    pub corners: Vec<(DVec2, f64)>,
+}
+
+impl Patch {
+    /// The load on `cells` by `cells` parts of a patch that is a parallelogram, as springs under a flat face spread it: along each side the pressure varies evenly
+    /// and is nowhere negative, and its centre is where that of the corners is. Places (m) and forces (N). A patch of another number of corners keeps them.
+    pub fn mesh(&self, cells: usize) -> Vec<(DVec2, f64)> {
+        let &[a, b, c, d] = &self.corners[..] else { return self.corners.clone() };
+        let load = a.1 + b.1 + c.1 + d.1;
+        if load < NONE {
+            return self.corners.clone();
+        }
+        let along = spread(((b.1 + c.1) - (a.1 + d.1)) / load, cells);
+        let across = spread(((c.1 + d.1) - (a.1 + b.1)) / load, cells);
+        let place = |u: f64, v: f64| a.0 + (b.0 - a.0) * (0.5 * (1.0 + u)) + (d.0 - a.0) * (0.5 * (1.0 + v));
+        along.iter().flat_map(|&(u, f)| across.iter().map(move |&(v, g)| (place(u, v), load * f * g))).collect()
+    }
+}
+
+/// Places from -1 to 1 and shares of a load whose centre is at `center`, on `cells` parts: 1 + 3 center u while that is nowhere negative, beyond it a triangle
+/// on the last 3 (1 - |center|) before the end.
+fn spread(center: f64, cells: usize) -> Vec<(f64, f64)> {
+    let side = center.signum();
+    let center = center.abs().min(1.0);
+    let length = (3.0 * (1.0 - center)).clamp(1e-9, 2.0);
+    let pressure = |u: f64| if center <= 1.0 / 3.0 { 1.0 + 3.0 * center * u } else { u - (1.0 - length) };
+    let places: Vec<f64> = (0..cells).map(|i| 1.0 - length * (1.0 - (i as f64 + 0.5) / cells as f64)).collect();
+    let total: f64 = places.iter().map(|&u| pressure(u)).sum();
+    places.iter().map(|&u| (side * u, pressure(u) / total)).collect()
+}
+
 /// A tower of rigid blocks at rest.
 #[derive(Debug, Clone)]
 pub struct Rigid<'a> {
@@ -111,27 +152,17 @@ impl<'a> Rigid<'a> {
     /// # Errors
     /// When rigid blocks cannot rest like this.
     pub fn new(scene: &'a Scene) -> Result<Self, NoAnswer> {
-        let points = touching(&scene.blocks);
-        let mut problem = Problem::new(OptimizationDirection::Minimize);
-        let forces: Vec<Variable> = points.iter().map(|p| problem.add_var(p.gap / UNIT, (0.0, f64::INFINITY))).collect();
-        let mut rows: Vec<[LinearExpr; 3]> = scene.blocks.iter().map(|_| std::array::from_fn(|_| LinearExpr::empty())).collect();
-        for (point, &force) in points.iter().zip(&forces) {
-            point.acts(|body, sign| {
-                let lever = point.lever(&scene.blocks[body]);
-                for (row, factor) in rows[body].iter_mut().zip([1.0, lever.x, lever.y]) {
-                    row.add(force, sign * factor);
-                }
-            });
-        }
-        for (block, rows) in scene.blocks.iter().zip(rows) {
-            for (row, load) in rows.into_iter().zip([block.mass * scene.gravity, 0.0, 0.0]) {
-                problem.add_constraint(row, ComparisonOp::Eq, load);
-            }
-        }
-        let solution = solve(problem)?;
-        let work = UNIT * solution.objective();
+        let (points, work) = held(scene)?;
         let forces = shared(scene, &points).ok_or(NoAnswer::Unsolved)?;
         Ok(Self { scene, points, forces, work })
+    }
+
+    /// Whether the tower of `scene` can rest at all.
+    ///
+    /// # Errors
+    /// When it cannot.
+    pub fn stands(scene: &Scene) -> Result<(), NoAnswer> {
+        held(scene).map(|_| ())
     }
 
     /// The least work against the gaps, J: by duality how far the weights have come down, sum m g times distance.
@@ -175,6 +206,18 @@ impl<'a> Rigid<'a> {
             top(block) + moved.x + rise
         };
         Ok(self.scene.blocks.iter().zip(self.settled()?).map(corner).fold(0.0, f64::max))
+    }
+
+    /// The regions in which blocks touch, with their loads.
+    pub fn patches(&self) -> Vec<Patch> {
+        let mut patches: Vec<Patch> = Vec::new();
+        for (point, &force) in self.points.iter().zip(&self.forces) {
+            if patches.len() <= point.region {
+                patches.push(Patch { below: point.below, above: point.above, lever: point.lever, corners: Vec::new() });
+            }
+            patches[point.region].corners.push((point.place, force));
+        }
+        patches
     }
 
     /// Normal force on the lower face of a block, N.
@@ -313,6 +356,29 @@ impl Point {
 fn solve(problem: Problem) -> Result<microlp::Solution, NoAnswer> {
     let solved = problem.solve().map_err(|e| if e == microlp::Error::Infeasible { NoAnswer::Falls } else { NoAnswer::Unsolved })?;
     solved.into_solution().map_err(|_| NoAnswer::Unsolved)
+}
+
+/// The points at which blocks may touch, and the least work of forces that hold every block in equilibrium, J.
+fn held(scene: &Scene) -> Result<(Vec<Point>, f64), NoAnswer> {
+    let points = touching(&scene.blocks);
+    let mut problem = Problem::new(OptimizationDirection::Minimize);
+    let forces: Vec<Variable> = points.iter().map(|p| problem.add_var(p.gap / UNIT, (0.0, f64::INFINITY))).collect();
+    let mut rows: Vec<[LinearExpr; 3]> = scene.blocks.iter().map(|_| std::array::from_fn(|_| LinearExpr::empty())).collect();
+    for (point, &force) in points.iter().zip(&forces) {
+        point.acts(|body, sign| {
+            let lever = point.lever(&scene.blocks[body]);
+            for (row, factor) in rows[body].iter_mut().zip([1.0, lever.x, lever.y]) {
+                row.add(force, sign * factor);
+            }
+        });
+    }
+    for (block, rows) in scene.blocks.iter().zip(rows) {
+        for (row, load) in rows.into_iter().zip([block.mass * scene.gravity, 0.0, 0.0]) {
+            problem.add_constraint(row, ComparisonOp::Eq, load);
+        }
+    }
+    let solution = solve(problem)?;
+    Ok((points, UNIT * solution.objective()))
 }
 
 /// Normal forces at the points, N, as stiff springs share them.

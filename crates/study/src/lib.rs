@@ -16,18 +16,33 @@
 
 mod each;
 mod exact;
+mod extraction;
 mod forces;
+mod linear;
+mod places;
 mod plan;
+mod removal;
+mod rest;
 mod settle;
+mod solid;
 mod start;
 mod stiff;
 pub mod torsion;
+mod turning;
 mod xray;
+mod yank;
 
 pub use each::each;
-pub use exact::{Answer, NoAnswer, Rigid};
+pub use exact::{Answer, NoAnswer, Patch, Rigid};
+pub use extraction::{Extraction, LONGEST, Placing, STILL, extract, let_go};
 pub use forces::{BlockForces, forces, forces_from};
+pub use places::{FELL_DROPPED, FELL_MOVED, Places, top};
 pub use plan::long_axis;
+pub use removal::{Removal, legal, remove, without};
+pub use rest::{Rest, rest};
 pub use settle::{SETTLE, frames, run, settled};
+pub use solid::{Solid, deepest, deepest_between};
 pub use start::{SLID, STRONGEST, starting_force};
+pub use turning::{Motion, Spread, motion};
 pub use xray::{Load, xray};
+pub use yank::{Yank, yank};

@@ -2,7 +2,9 @@
 //!
 //! Under a uniform pressure a patch of area A resists turning about its centroid with mu N L, where L is the mean distance of its area from the centroid,
 //!
-//!     L = 1/A integral r dA.
+//! ```text
+//! L = 1/A integral r dA
+//! ```
 //!
 //! Forces at the corners, with their shares w_i of the load, resist with mu N sum w_i r_i instead. What makes the second the first is the ratio of the two,
 //! the lever by which the distances of the corners are to be multiplied.
