@@ -13,6 +13,7 @@ mod scenes;
 mod score;
 mod summary;
 mod tilt;
+mod validate;
 
 use std::process::ExitCode;
 
@@ -31,6 +32,7 @@ fn main() -> ExitCode {
         Command::Run(args) => run::main(args),
         Command::Score(args) => score::main(args),
         Command::Forces(args) => forces::main(args),
+        Command::Validate(args) => validate::main(args),
         Command::Play(args) => play::main(args),
     };
     match done {

@@ -5,7 +5,7 @@ use serde::Serialize;
 use teeter_physics::{Grip, Hand, Input, World};
 
 use crate::places::Places;
-use crate::settle::{frames, run};
+use crate::settle::frames;
 
 /// How far past its own length a block is taken, m.
 const BEYOND: f64 = 5e-3;
@@ -69,54 +69,4 @@ pub fn extract(settled: &World, body: u32, axis: DVec3, speed: f64) -> Extractio
         look(&world);
     }
     Extraction { out: went > length - LAG, force_n: force, ..seen }
-}
-
-/// What is done to a block that is placed on a tower.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
-pub struct Placing {
-    /// Furthest that any other block was from its place at any time, mm.
-    pub others_mm: f64,
-    /// The same when all is at rest.
-    pub others_after_mm: f64,
-    /// Whether the block stays where it was put, within 5 mm, and nothing falls.
-    pub stays: bool,
-    /// From letting go until nothing moves faster than [`STILL`] for a quarter of a second, s; none where that does not come in [`LONGEST`].
-    pub rest_s: Option<f64>,
-}
-
-/// Speed below which a tower is at rest, m/s.
-pub const STILL: f64 = 1e-4;
-/// How long rest is waited for, s.
-pub const LONGEST: f64 = 5.0;
-
-/// Lets go of `body`, which a hand has held in the air since the world was built.
-pub fn let_go(mut world: World, body: u32) -> Placing {
-    let center = DVec3::from_slice(&world.poses()[7 * body as usize..]);
-    let carry = Hand {
-        body,
-        anchor: DVec3::ZERO,
-        target: center,
-        orientation: Some(DQuat::from_slice(&world.poses()[7 * body as usize + 3..])),
-        grip: Grip::Carry,
-        axis: DVec3::ZERO,
-        max_force: Hand::default_force(),
-        max_torque: Hand::default_torque(),
-    };
-    run(&mut world, crate::SETTLE, &Input { hand: Some(carry), ..Input::default() });
-    let (start, places) = (world.time(), Places::of(&world));
-    let (mut others, mut still, mut rest_s): (f64, f64, Option<f64>) = (0.0, 0.0, None);
-    let mut fell = false;
-    for _ in 0..frames(&world, LONGEST) {
-        let report = world.step(&Input::default());
-        others = others.max(places.furthest_but(&world, body));
-        fell |= places.any_fallen_but(&world, body);
-        still = if report.max_speed < STILL { still + world.params().frame } else { 0.0 };
-        if still >= 0.25 {
-            rest_s = Some(report.time - start - still);
-            break;
-        }
-    }
-    let now = DVec3::from_slice(&world.poses()[7 * body as usize..]);
-    let aside = (now - center).truncate().length();
-    Placing { others_mm: 1e3 * others, others_after_mm: 1e3 * places.furthest_but(&world, body), stays: !fell && aside < 5e-3, rest_s }
 }

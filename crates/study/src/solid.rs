@@ -49,6 +49,11 @@ impl Solid {
         faces.chain(edges).map(overlap).fold(f64::INFINITY, f64::min).max(0.0)
     }
 
+    /// Height of its highest corner, m.
+    pub fn top(&self) -> f64 {
+        self.center.z + self.reach(&DMat3::from_quat(self.turn), DVec3::Z)
+    }
+
     /// How far its lowest corner is below the floor, m; 0 where it is above.
     pub fn below_floor(&self) -> f64 {
         (self.reach(&DMat3::from_quat(self.turn), DVec3::Z) - self.center.z).max(0.0)

@@ -28,9 +28,9 @@ fn a_loose_block_comes_out_and_a_tight_one_does_not() {
 #[test]
 fn a_block_let_go_comes_to_rest_on_top() {
     let mut scene = config("(111)-(111)", &TowerOptions::exact()).unwrap();
-    let block = Block { id: 99, pos: [0.0, 0.0, 0.036 + 0.009 + 0.01], ..scene.blocks[0].clone() };
+    let block = Block { id: 99, pos: [0.0, 0.0, 0.036 + 0.009 + 0.03], ..scene.blocks[0].clone() };
     scene.blocks.push(block);
-    let placed = let_go(World::new(&scene, params()).unwrap(), 6);
+    let placed = let_go(World::new(&scene, params()).unwrap(), 6, 0.01);
     assert!(placed.stays && placed.others_mm > 0.001 && placed.others_mm < 1.0, "{placed:?}");
     // 1 cm takes 45 ms, and some bounces come after
     assert!(placed.rest_s.is_some_and(|t| t > 0.045 && t < 2.0), "{placed:?}");
