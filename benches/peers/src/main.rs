@@ -4,7 +4,6 @@
 mod box3d;
 mod clock;
 mod engine;
-mod exact;
 mod measure;
 mod plot;
 mod rapier;
@@ -16,6 +15,7 @@ use std::process::ExitCode;
 
 use report::Report;
 use teeter_scene::{TowerOptions, named, tower};
+use teeter_study::Rigid;
 
 const USAGE: &str = "teeter-peers [--seconds N] [--blocks N] [--only TEXT] [--json FILE] [--docs FOLDER] [--from FILE]
 
@@ -99,11 +99,11 @@ fn measure(args: &Args) -> Result<Report, String> {
     }
     let scene = tower(&TowerOptions::default()).map_err(|e| e.to_string())?;
     let column = named("column").ok_or("there is no column in the list of scenes")?;
-    let rigid = exact::Rigid::new(&scene);
+    let rigid = Rigid::new(&scene).map_err(|e| e.to_string())?;
     let blocks = sample(args.blocks, scene.blocks.len());
     eprintln!("exact answers");
-    let sought: Vec<_> = blocks.iter().map(|&block| measure::Sought::new(block, &rigid)).collect();
-    let mut results = measure::rest_and_cost(&entries, &scene, args.seconds, rigid.top());
+    let sought: Vec<measure::Sought> = blocks.iter().map(|&block| measure::Sought::new(block, &rigid)).collect::<Result<_, _>>().map_err(|e| e.to_string())?;
+    let mut results = measure::rest_and_cost(&entries, &scene, args.seconds, rigid.top().map_err(|e| e.to_string())?);
     for (entry, result) in entries.iter().zip(&mut results) {
         eprintln!("{}: column and pulls", entry.name());
         result.push_over_coulomb = measure::column_push(entry, &column);

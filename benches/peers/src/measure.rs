@@ -2,10 +2,10 @@
 
 use glam::{DMat3, DQuat, DVec3};
 use teeter_scene::Scene;
+use teeter_study::{NoAnswer, Rigid, long_axis};
 
 use crate::clock::thread_seconds;
 use crate::engine::{Engine, Entry, FRAME, Pull};
-use crate::exact::{Rigid, long_axis};
 use crate::report::{Result, Slid};
 
 /// Time to settle before anything is measured, s.
@@ -28,8 +28,9 @@ pub struct Sought {
 
 impl Sought {
     /// Solves for a block.
-    pub fn new(block: usize, rigid: &Rigid) -> Self {
-        Self { block, turning: rigid.pull(block), straight: rigid.straight_pull(block) }
+    pub fn new(block: usize, rigid: &Rigid) -> std::result::Result<Self, NoAnswer> {
+        let answer = rigid.answer(block)?;
+        Ok(Self { block, turning: answer.turning_n, straight: answer.straight_n })
     }
 }
 
@@ -125,7 +126,7 @@ pub fn pulls(entry: &Entry, scene: &Scene, blocks: &[Sought]) -> (Vec<Slid>, boo
         run(engine.as_mut(), SETTLE);
         let settled = centers(engine.as_ref(), scene);
         same &= first.get_or_insert_with(|| settled.clone()) == &settled;
-        let force_n = pull(engine.as_mut(), body, long_axis(&scene.blocks[body]));
+        let force_n = pull(engine.as_mut(), body, long_axis(&scene.blocks[body]).extend(0.0));
         Slid { block: body, turning_n: sought.turning, straight_n: sought.straight, force_n }
     });
     (slid.collect(), same)

@@ -6,6 +6,8 @@ use clap::{Args, Parser, Subcommand, ValueEnum};
 use teeter_physics::{Params, Precision};
 use teeter_scene::{BlockPreset, Form, MAX_ROWS, Particles, SPRING_STIFFNESS, STIFFNESS, Scene, Springs, WOOD_RESTITUTION};
 
+use crate::validate::Topic;
+
 /// A real-time simulator of the tower game Jenga, where contact and friction are springs.
 #[derive(Debug, Parser)]
 #[command(name = "teeter", version, arg_required_else_help = true, disable_help_subcommand = true)]
@@ -24,6 +26,10 @@ pub enum Command {
     Run(Run),
     /// Predict labelled towers: which fall, or at what tilt.
     Score(Score),
+    /// Measure the force that starts each block sliding, and say what rigid blocks would need.
+    Forces(Forces),
+    /// Measure the engine against exact mechanics and what is known of real towers, and write a report.
+    Validate(Validate),
 }
 
 #[derive(Debug, Args)]
@@ -189,6 +195,45 @@ pub struct Score {
     /// The summary as one JSON object on standard output; predictions then only go to --out.
     #[arg(long)]
     pub json: bool,
+}
+
+#[derive(Debug, Args)]
+pub struct Forces {
+    /// A scene's file, `-` for standard input, or the name of a scene of the list.
+    pub scene: PathBuf,
+    #[command(flatten)]
+    pub engine: Engine,
+    /// One JSON object.
+    #[arg(long)]
+    pub json: bool,
+}
+
+#[derive(Debug, Args)]
+pub struct Validate {
+    /// Folder for `validation.html` and `validation.json`; it is made where it is missing.
+    #[arg(long, value_name = "DIR")]
+    pub out: PathBuf,
+    /// Only these parts of the report, with commas in between.
+    #[arg(long, value_delimiter = ',', value_name = "PARTS")]
+    pub only: Vec<Topic>,
+    /// Low towers and few of them: shows in a minute that everything runs, not more.
+    #[arg(long)]
+    pub quick: bool,
+    /// Towers of each kind [default: 20].
+    #[arg(long, value_parser = clap::value_parser!(u64).range(1..=1000))]
+    pub towers: Option<u64>,
+    /// Seed of the first tower.
+    #[arg(long, default_value_t = 1)]
+    pub seed: u64,
+    /// Hours of simulated rest, of all towers together [default: 24].
+    #[arg(long, value_parser = number(0.001, 1000.0))]
+    pub hours: Option<f64>,
+    /// Blocks torn out [default: 1000].
+    #[arg(long, value_parser = clap::value_parser!(u32).range(1..=100_000))]
+    pub yanks: Option<u32>,
+    /// A data sheet of a real tower to compare with, see docs/validation.md; then nothing else is measured unless `--only` asks for it.
+    #[arg(long, value_name = "FILE")]
+    pub real: Option<PathBuf>,
 }
 
 #[derive(Debug, Args)]

@@ -67,12 +67,17 @@ pub fn read(path: &Path) -> Result<Vec<Labelled>, Fault> {
         if text.trim().is_empty() {
             continue;
         }
-        let scene = Scene::from_json(text).map_err(|e| at(&e))?;
-        let extra: Extra = serde_json::from_str(text).map_err(|e| at(&format!("`truth`: {e}")))?;
-        scenes.push(Labelled { scene, truth: extra.truth.unwrap_or_default() });
+        scenes.push(parse(text).map_err(|e| at(&e))?);
     }
     if scenes.is_empty() {
         return Err(Fault::at(&source.name, "no scenes, expected one JSON object a line"));
     }
     Ok(scenes)
+}
+
+/// The scene on a line, and what is known of it; what is wrong with it otherwise.
+pub fn parse(text: &str) -> Result<Labelled, String> {
+    let scene = Scene::from_json(text).map_err(|e| e.to_string())?;
+    let extra: Extra = serde_json::from_str(text).map_err(|e| format!("`truth`: {e}"))?;
+    Ok(Labelled { scene, truth: extra.truth.unwrap_or_default() })
 }

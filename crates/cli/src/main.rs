@@ -2,9 +2,9 @@
 
 mod args;
 mod fault;
+mod forces;
 mod input;
 mod labelled;
-mod measure;
 mod output;
 mod play;
 mod predict;
@@ -13,6 +13,7 @@ mod scenes;
 mod score;
 mod summary;
 mod tilt;
+mod validate;
 
 use std::process::ExitCode;
 
@@ -30,6 +31,8 @@ fn main() -> ExitCode {
         Command::Scene(args) => scenes::main(args),
         Command::Run(args) => run::main(args),
         Command::Score(args) => score::main(args),
+        Command::Forces(args) => forces::main(args),
+        Command::Validate(args) => validate::main(args),
         Command::Play(args) => play::main(args),
     };
     match done {

@@ -3,8 +3,8 @@
 use serde::Serialize;
 use teeter_physics::{BuildError, Input, Params, World};
 use teeter_scene::Scene;
+use teeter_study::Places;
 
-use crate::measure::Places;
 use crate::tilt;
 
 /// How long a tower is watched, s.

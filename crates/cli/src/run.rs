@@ -4,10 +4,10 @@ use cpu_time::ProcessTime;
 use serde::Serialize;
 use teeter_physics::{Input, World};
 use teeter_scene::Scene;
+use teeter_study::Places;
 
 use crate::args::Run;
 use crate::fault::{self, Fault};
-use crate::measure::{self, Places};
 use crate::{input, output};
 
 /// When creep begins to count, s: what comes before is the tower settling.
@@ -54,7 +54,7 @@ fn simulate(scene: &Scene, world: &mut World, seconds: f64) -> Report {
     let input = Input::default();
     let start = Places::of(world);
     // A scene begins without load, so its top is the sum of the tallest blocks.
-    let top = measure::top(world);
+    let top = teeter_study::top(world);
     let mut settled: Option<Places> = None;
     let mut creep: Option<f64> = None;
     let mut fallen = vec![false; world.len()];
@@ -88,7 +88,7 @@ fn simulate(scene: &Scene, world: &mut World, seconds: f64) -> Report {
         fell,
         max_displacement_mm: 1e3 * furthest,
         creep_mm: creep.map(|m| 1e3 * m),
-        sink_mm: 1e3 * (top - measure::top(world)),
+        sink_mm: 1e3 * (top - teeter_study::top(world)),
         penetration_mm: 1e3 * penetration,
         rms_speed,
         cpu_s,

@@ -176,7 +176,7 @@ impl Errors {
 }
 
 /// The `q`-quantile of sorted values, between neighbours where it falls between them.
-fn quantile(sorted: &[f64], q: f64) -> Option<f64> {
+pub fn quantile(sorted: &[f64], q: f64) -> Option<f64> {
     let x = q * (sorted.len().checked_sub(1)?) as f64;
     let i = x as usize;
     let next = sorted.get(i + 1).unwrap_or(&sorted[i]);

@@ -11,8 +11,7 @@
 use glam::DVec3;
 use teeter_physics::{BuildError, Input, Params, World};
 use teeter_scene::Scene;
-
-use crate::measure::Places;
+use teeter_study::Places;
 
 /// Time to settle upright, s.
 const SETTLE: f64 = 1.0;

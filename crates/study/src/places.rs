@@ -1,4 +1,4 @@
-//! What is measured on a world: how far its blocks have gone, and how high it stands.
+//! How far the blocks of a world have gone, and how high it stands.
 
 use teeter_physics::World;
 
@@ -29,6 +29,17 @@ impl Places {
     pub fn furthest(&self, world: &World) -> f64 {
         // Written so that a distance that is no number counts as far.
         self.moves(world).fold(0.0, |most, (moved, _)| if moved <= most { most } else { moved })
+    }
+
+    /// The same without one block.
+    pub fn furthest_but(&self, world: &World, body: u32) -> f64 {
+        let others = self.moves(world).enumerate().filter(|(i, _)| *i != body as usize);
+        others.fold(0.0, |most, (_, (moved, _))| if moved <= most { most } else { moved })
+    }
+
+    /// Whether any block but one has fallen.
+    pub fn any_fallen_but(&self, world: &World, body: u32) -> bool {
+        self.moves(world).enumerate().any(|(i, (moved, dropped))| i != body as usize && has_fallen(moved, dropped))
     }
 
     /// Marks the blocks that have fallen.

@@ -1,0 +1,168 @@
+//! Blocks seen from above: rectangles, and the polygon in which two of them overlap.
+
+use glam::DVec2;
+use teeter_scene::Block;
+
+/// Corners nearer than this are one, m.
+const MERGE: f64 = 1e-7;
+
+/// Height of a block's upper face, m.
+pub fn top(block: &Block) -> f64 {
+    block.pos[2] + 0.5 * block.size[2]
+}
+
+/// Height of a block's lower face, m.
+pub fn bottom(block: &Block) -> f64 {
+    block.pos[2] - 0.5 * block.size[2]
+}
+
+/// Centre of a block, m.
+pub fn center(block: &Block) -> DVec2 {
+    DVec2::new(block.pos[0], block.pos[1])
+}
+
+/// Directions of length and width.
+fn axes(block: &Block) -> [DVec2; 2] {
+    let (sin, cos) = libm::sincos(block.yaw);
+    [DVec2::new(cos, sin), DVec2::new(-sin, cos)]
+}
+
+/// Direction of the longer horizontal edge of a block: forwards is along it, backwards against it.
+pub fn long_axis(block: &Block) -> DVec2 {
+    axes(block)[usize::from(block.size[1] > block.size[0])]
+}
+
+/// Corners of a block, anticlockwise, m.
+pub fn corners(block: &Block) -> Vec<DVec2> {
+    let [u, v] = axes(block);
+    let (u, v, c) = (u * (0.5 * block.size[0]), v * (0.5 * block.size[1]), center(block));
+    vec![c - u - v, c + u - v, c + u + v, c - u + v]
+}
+
+/// Corners of the region in which two blocks overlap, anticlockwise; empty where they do not (Sutherland and Hodgman 1974).
+pub fn overlap(a: &Block, b: &Block) -> Vec<DVec2> {
+    let mut region = corners(a);
+    let edges = corners(b);
+    for (i, &start) in edges.iter().enumerate() {
+        let along = edges[(i + 1) % edges.len()] - start;
+        let inside = |p: DVec2| along.perp_dot(p - start);
+        let mut next: Vec<DVec2> = Vec::new();
+        for (j, &to) in region.iter().enumerate() {
+            let from = region[(j + region.len() - 1) % region.len()];
+            let (d0, d1) = (inside(from), inside(to));
+            if (d0 >= 0.0) != (d1 >= 0.0) {
+                next.push(from + (to - from) * (d0 / (d0 - d1)));
+            }
+            if d1 >= 0.0 {
+                next.push(to);
+            }
+        }
+        region = next;
+    }
+    let mut kept: Vec<DVec2> = Vec::new();
+    for corner in region {
+        if kept.iter().all(|p| p.distance(corner) > MERGE) {
+            kept.push(corner);
+        }
+    }
+    // what is left of two that only touch is no region
+    if kept.len() < 3 || area(&kept) < MERGE * MERGE { Vec::new() } else { kept }
+}
+
+/// Area of a polygon, m².
+pub fn area(polygon: &[DVec2]) -> f64 {
+    let n = polygon.len();
+    0.5 * (0..n).map(|i| polygon[i].perp_dot(polygon[(i + 1) % n])).sum::<f64>()
+}
+
+/// Convex hull of some places, anticlockwise (Andrew's monotone chain, 1979).
+pub fn hull(places: &[DVec2]) -> Vec<DVec2> {
+    let mut sorted = places.to_vec();
+    sorted.sort_by(|p, q| p.x.total_cmp(&q.x).then(p.y.total_cmp(&q.y)));
+    let chain = |order: &mut dyn Iterator<Item = &DVec2>| {
+        let mut chain: Vec<DVec2> = Vec::new();
+        for &p in order {
+            while let [.., a, b] = chain[..] {
+                if (b - a).perp_dot(p - b) > 0.0 {
+                    break;
+                }
+                chain.pop();
+            }
+            chain.push(p);
+        }
+        // the last of one chain is the first of the other
+        chain.pop();
+        chain
+    };
+    let mut hull = chain(&mut sorted.iter());
+    hull.extend(chain(&mut sorted.iter().rev()));
+    hull
+}
+
+/// How far one can go from a place within a convex polygon (anticlockwise) along a direction, m; none where the place is outside.
+pub fn way_within(polygon: &[DVec2], from: DVec2, direction: DVec2) -> Option<f64> {
+    let mut way = f64::INFINITY;
+    for (i, &p) in polygon.iter().enumerate() {
+        let edge = polygon[(i + 1) % polygon.len()] - p;
+        let (inside, approach) = (edge.perp_dot(from - p), -edge.perp_dot(direction));
+        if inside < -MERGE * edge.length() {
+            return None;
+        }
+        if approach > 0.0 {
+            way = way.min(inside / approach);
+        }
+    }
+    Some(way.max(0.0))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn block(x: f64, y: f64, yaw: f64) -> Block {
+        Block { id: 0, size: [0.081, 0.0268, 0.018], mass: 0.0196, pos: [x, y, 0.009], yaw }
+    }
+
+    #[test]
+    fn crossed_blocks_overlap_in_a_square() {
+        let region = overlap(&block(0.0, 0.0271, 0.0), &block(0.0271, 0.0, std::f64::consts::FRAC_PI_2));
+        assert_eq!(region.len(), 4);
+        assert!((area(&region) - 0.0268 * 0.0268).abs() < 1e-12);
+        assert!(region.iter().all(|p| (*p - DVec2::splat(0.0271)).abs().max_element() < 0.0134 + 1e-9));
+    }
+
+    #[test]
+    fn turned_blocks_overlap_in_what_both_hold() {
+        let (a, b) = (block(0.0, 0.0, 0.3), block(0.03, 0.01, -0.2));
+        let region = overlap(&a, &b);
+        // by counting cells
+        let holds = |block: &Block, p: DVec2| {
+            let [u, v] = axes(block);
+            let d = p - center(block);
+            d.dot(u).abs() < 0.0405 && d.dot(v).abs() < 0.0134
+        };
+        let n = 1000;
+        let cell = |i: usize| 0.1 * ((i as f64 + 0.5) / n as f64 - 0.5);
+        let inside = (0..n * n).map(|i| DVec2::new(cell(i % n), cell(i / n))).filter(|&p| holds(&a, p) && holds(&b, p)).count();
+        let counted = inside as f64 * 0.01 / (n * n) as f64;
+        assert!((area(&region) / counted - 1.0).abs() < 2e-3, "{} and {counted}", area(&region));
+    }
+
+    #[test]
+    fn the_way_to_the_edge_of_a_hull() {
+        let places: Vec<DVec2> = [[0.0, 0.0], [2.0, 0.0], [1.0, 0.5], [2.0, 1.0], [0.0, 1.0], [1.0, 1.0]].map(DVec2::from).to_vec();
+        let hull = hull(&places);
+        assert_eq!(hull.len(), 4);
+        assert!((area(&hull) - 2.0).abs() < 1e-12);
+        let from = DVec2::new(0.5, 0.25);
+        assert_eq!(way_within(&hull, from, DVec2::X), Some(1.5));
+        assert_eq!(way_within(&hull, from, DVec2::NEG_Y), Some(0.25));
+        assert_eq!(way_within(&hull, DVec2::new(-0.1, 0.5), DVec2::X), None);
+    }
+
+    #[test]
+    fn neighbours_do_not_overlap() {
+        assert!(overlap(&block(0.0, 0.0, 0.0), &block(0.0, 0.0268, 0.0)).is_empty());
+        assert!(overlap(&block(0.0, 0.0, 0.0), &block(0.0, 0.0271, 0.0)).is_empty());
+    }
+}

@@ -1,0 +1,120 @@
+//! Which of several exact answers springs come to as they grow stiff.
+//!
+//! Rigid blocks that lie flat on each other share a load between the corners of a patch in more than one way. Springs of a stiffness per area have one:
+//! the least of
+//!
+//! ```text
+//! E(u) = sum w u + 1/2 sum k_i max(0, -(gap_i + a_i u))^2
+//! ```
+//!
+//! over heights and small tilts u. As k grows their forces go to that one of the optimal solutions of the linear programme that has the least
+//! sum N_i^2 / k_i. E is convex and quadratic in pieces, so Newton's method with a line search ends after a few steps at each stiffness; stiffness grows
+//! tenfold from one to the next.
+
+use crate::linear::solve;
+
+/// Softest and stiffest springs, N/m. At the stiffest a force of 1 N overlaps by 1 nm, and heights differ by 0.1 mm.
+const STIFFNESS: (f64, f64) = (1e4, 1e9);
+/// Most steps of Newton's method at one stiffness.
+const STEPS: usize = 200;
+/// Share of the largest stiffness that holds what no spring does, so that each step has an answer.
+const HELD: f64 = 1e-6;
+
+/// What is left of the largest weight where forces balance: well above what rounding leaves at the stiffest.
+const BALANCED: f64 = 1e-7;
+
+/// A spring between unknowns: it is as short as `gap` plus the sum of factors times unknowns, m, and pushes where that is negative.
+pub struct Spring {
+    /// Unknowns and their factors.
+    pub acts: Vec<(usize, f64)>,
+    /// Length without displacement, m.
+    pub gap: f64,
+    /// Share of the stiffness.
+    pub share: f64,
+}
+
+/// The forces (N) of very stiff springs under `weights`, one an unknown (N, and for a tilt N times its unit of length). The search begins at `start`,
+/// best where all springs push. None where they do not come to rest.
+pub fn forces(springs: &[Spring], weights: &[f64], start: Vec<f64>) -> Option<Vec<f64>> {
+    let mut u = start;
+    let mut k = STIFFNESS.0;
+    loop {
+        rest(springs, weights, k, &mut u)?;
+        if k >= STIFFNESS.1 {
+            return Some(springs.iter().map(|s| k * s.share * s.overlap(&u)).collect());
+        }
+        k *= 10.0;
+    }
+}
+
+impl Spring {
+    fn overlap(&self, u: &[f64]) -> f64 {
+        (-self.acts.iter().fold(self.gap, |sum, &(i, factor)| sum + factor * u[i])).max(0.0)
+    }
+}
+
+fn energy(springs: &[Spring], weights: &[f64], k: f64, u: &[f64]) -> f64 {
+    let falls: f64 = weights.iter().zip(u).map(|(w, u)| w * u).sum();
+    falls + springs.iter().map(|s| 0.5 * k * s.share * s.overlap(u) * s.overlap(u)).sum::<f64>()
+}
+
+/// Takes `u` to the least energy at stiffness `k`.
+fn rest(springs: &[Spring], weights: &[f64], k: f64, u: &mut [f64]) -> Option<()> {
+    let n = weights.len();
+    let load = weights.iter().map(|w| w.abs()).fold(0.0, f64::max);
+    for _ in 0..STEPS {
+        let mut gradient = weights.to_vec();
+        let mut matrix = vec![0.0; n * n];
+        for spring in springs {
+            let overlap = spring.overlap(u);
+            if overlap <= 0.0 {
+                continue;
+            }
+            let stiffness = k * spring.share;
+            for &(i, fi) in &spring.acts {
+                gradient[i] -= stiffness * overlap * fi;
+                for &(j, fj) in &spring.acts {
+                    matrix[i * n + j] += stiffness * fi * fj;
+                }
+            }
+        }
+        if gradient.iter().all(|g| g.abs() < BALANCED * load) {
+            return Some(());
+        }
+        (0..n).for_each(|i| matrix[i * n + i] += HELD * k);
+        let step = solve(matrix, gradient.clone())?;
+        let slope: f64 = -gradient.iter().zip(&step).map(|(g, s)| g * s).sum::<f64>();
+        let before = energy(springs, weights, k, u);
+        let mut share = 1.0;
+        loop {
+            let next: Vec<f64> = u.iter().zip(&step).map(|(u, s)| u - share * s).collect();
+            if energy(springs, weights, k, &next) <= before + 1e-4 * share * slope || share < 1e-9 {
+                u.copy_from_slice(&next);
+                break;
+            }
+            share *= 0.5;
+        }
+    }
+    None
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// A weight on three springs of which one is too short: two carry it by their shares, and the third as well once the weight is great enough.
+    #[test]
+    fn only_springs_that_are_reached_push() {
+        let spring = |gap, share| Spring { acts: vec![(0, 1.0)], gap, share };
+        let forces = forces(&[spring(0.0, 1.0), spring(0.0, 3.0), spring(1e-4, 1.0)], &[2.0], vec![-1e-3]).unwrap();
+        for (force, expected) in forces.into_iter().zip([0.5, 1.5, 0.0]) {
+            assert!((force - expected).abs() < 1e-6, "{force} instead of {expected} N");
+        }
+    }
+
+    #[test]
+    fn what_nothing_holds_does_not_rest() {
+        let spring = Spring { acts: vec![(0, 1.0)], gap: 0.0, share: 1.0 };
+        assert!(forces(&[spring], &[1.0, 1.0], vec![0.0; 2]).is_none());
+    }
+}
