@@ -14,7 +14,7 @@ struct Report {
 
 /// Measures every block of a scene from one settled state, on all cores, and prints the forces.
 pub fn main(args: Forces) -> Result<(), Fault> {
-    let scene = args.engine.contact.applied(input::scene(&args.scene)?);
+    let scene = args.engine.material.applied(input::scene(&args.scene)?);
     let bar = output::progress(scene.blocks.len() as u64, "blocks");
     let blocks = forces(&scene, args.engine.params(false), || bar.inc(1)).map_err(|e| Fault::at(&scene.name, e))?;
     bar.finish_and_clear();
