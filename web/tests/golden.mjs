@@ -14,9 +14,9 @@ export const golden = async () => JSON.parse(await data('hashes.json')).runs;
 export async function play(build) {
   const { Simulation, namedScene } = await load(build);
   const outcomes = [];
-  for (const { name, scene, stiffness, params, steps, inputs } of JSON.parse(await data('runs.json'))) {
+  for (const { name, scene, stiffness, form, springs, params, steps, inputs } of JSON.parse(await data('runs.json'))) {
     const lines = inputs ? (await data(inputs)).split('\n') : [];
-    const start = JSON.parse(namedScene(scene));
+    const start = { ...JSON.parse(namedScene(scene)), form, springs };
     start.stiffness = stiffness ?? start.stiffness;
     const simulation = new Simulation(JSON.stringify(start), JSON.stringify(params ?? {}));
     let rest = null;

@@ -13,6 +13,7 @@ fn workloads() -> Result<Vec<Workload>, Fault> {
         Workload::awake(18, 3e5, Single)?.of_frames(10),
         Workload::awake(18, 3e6, Single)?.of_frames(10),
         Workload::awake(18, 1e6, Double)?.of_frames(10),
+        Workload::springs()?.of_frames(10),
         Workload::awake(6, 1e6, Single)?.of_frames(10),
         Workload::swaying()?.of_frames(10),
         Workload::asleep()?.of_frames(60),

@@ -5,7 +5,7 @@ use std::path::Path;
 use glam::DVec3;
 use teeter_golden::runs;
 use teeter_physics::{Drive, Input, Params, Precision, Width, World};
-use teeter_scene::{Scene, TowerOptions, tower};
+use teeter_scene::{Form, Scene, TowerOptions, tower};
 
 use crate::Fault;
 
@@ -51,6 +51,15 @@ impl Workload {
         let params = Params { precision, sleep: false, ..Params::default() };
         let settle = if rows == 18 { SETTLE } else { SETTLE_TALL };
         Ok(Self { name, scene, params, inputs: Vec::new(), settle, frames: 60 })
+    }
+
+    /// The full tower of blocks of springs, as stiff as their contacts, that stands and is kept awake.
+    ///
+    /// # Errors
+    /// Never, for there is a tower of so many rows.
+    pub fn springs() -> Result<Self, Fault> {
+        let rigid = Self::awake(18, 1e6, Precision::Single)?;
+        Ok(Self { name: "springs, awake".into(), scene: Scene { form: Form::Lattice, ..rigid.scene }, ..rigid })
     }
 
     /// A tower of 60 rows that sways by some millimetres a second, with the detection that this asks for.
@@ -150,6 +159,7 @@ pub fn counted() -> Result<Vec<Workload>, Fault> {
         Workload::awake(18, 3e5, Single)?.of_frames(10).in_width(Avx2),
         Workload::awake(18, 3e6, Single)?.of_frames(10).in_width(Avx2),
         Workload::awake(18, 1e6, Double)?.of_frames(10).in_width(Avx2),
+        Workload::springs()?.of_frames(10).in_width(Avx2),
         Workload::awake(6, 1e6, Single)?.of_frames(10).in_width(Avx2),
         Workload::swaying()?.of_frames(5).in_width(Avx2),
         Workload::asleep()?.of_frames(60).in_width(Avx2),

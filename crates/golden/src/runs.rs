@@ -5,7 +5,7 @@ use std::path::Path;
 use rayon::prelude::*;
 use serde::{Deserialize, Serialize};
 use teeter_physics::{Input, Params, Width, World};
-use teeter_scene::Scene;
+use teeter_scene::{Form, Scene, Springs};
 
 use crate::{Fault, read};
 
@@ -19,6 +19,11 @@ struct Entry {
     /// Stiffness in place of the scene's own, N/m.
     #[serde(default)]
     stiffness: Option<f64>,
+    /// What the blocks are, and the springs within them.
+    #[serde(default)]
+    form: Form,
+    #[serde(default)]
+    springs: Springs,
     #[serde(default)]
     params: Params,
     steps: u32,
@@ -61,9 +66,10 @@ pub fn runs(dir: &Path) -> Result<Vec<Run>, Fault> {
 
 impl Entry {
     fn load(self, dir: &Path) -> Result<Run, Fault> {
-        let Entry { name, scene, stiffness, params, steps, inputs } = self;
+        let Entry { name, scene, stiffness, form, springs, params, steps, inputs } = self;
         let mut scene = teeter_scene::named(&scene).ok_or_else(|| format!("run {name}: there is no scene called `{scene}`"))?;
         scene.stiffness = stiffness.unwrap_or(scene.stiffness);
+        (scene.form, scene.springs) = (form, springs);
         let text = inputs.as_ref().map_or(Ok(String::new()), |file| read(dir, file))?;
         let mut inputs: Vec<Input> = Vec::new();
         for (i, line) in text.lines().enumerate() {

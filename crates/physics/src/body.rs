@@ -199,7 +199,12 @@ impl Bodies {
     /// Centre of a body, and what makes places from there of those in its frame: its axes, strained as it is.
     pub fn affine(&self, i: u32) -> (DVec3, DMat3) {
         let (center, axes) = self.pose(i);
-        (center, self.stretch_of(i).map_or(axes, |stretch| axes * *stretch))
+        (center, self.strained(i, axes))
+    }
+
+    /// The axes of a body, strained as it is.
+    pub fn strained(&self, i: u32, axes: DMat3) -> DMat3 {
+        self.stretch_of(i).map_or(axes, |stretch| axes * *stretch)
     }
 
     /// Half edge lengths of a body as it is strained, m.

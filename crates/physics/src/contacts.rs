@@ -113,9 +113,10 @@ impl Contacts {
 
     /// Makes the gaps of a manifold exact again from the poses; returns the deepest overlap, m.
     pub fn measure(bodies: &Bodies, manifold: &mut Manifold) -> f64 {
-        let (center_a, axes_a) = bodies.affine(manifold.a);
+        let (center_a, axes_a) = bodies.pose(manifold.a);
         let (center_b, axes_b) = bodies.affine(manifold.b);
-        let [normal, ..] = manifold.frame_in_world(bodies);
+        let normal = manifold.normal_in_world(bodies, axes_a);
+        let axes_a = bodies.strained(manifold.a, axes_a);
         let mut deepest: f64 = 0.0;
         for point in &mut manifold.points {
             let on_a = center_a + axes_a * point.anchor_a;

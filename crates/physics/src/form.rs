@@ -5,7 +5,7 @@
 
 use glam::{DQuat, DVec3};
 
-use crate::kernel::{Group, Row};
+use crate::kernel::{Geometry, Group, Row};
 use crate::lanes::{LANES, Lanes, Real};
 use crate::lattice::{Particles, Springs};
 
@@ -23,10 +23,16 @@ pub trait Form<R: Real>: Clone + std::fmt::Debug + Send + Sync {
     fn load(&mut self, l: usize, body: &Loading, velocity: &mut [Row<R>], load: &mut [Row<R>]);
 
     /// How B moves against A at the contacts of a part of a group, along their frames.
-    fn relative<L: Lanes<Number = R>>(group: &Group<R>, part: usize, velocity: &[Row<R>]) -> Self::Motion<L>;
+    fn relative<L: Lanes<Number = R>>(group: &Group<R>, part: usize, at: &Geometry<L>, velocity: &[Row<R>]) -> Self::Motion<L>;
 
     /// Adds what the contacts did to the forces on B, and takes it from those on A.
-    fn react<L: Lanes<Number = R>>(group: &Group<R>, part: usize, sum: &<Self::Motion<L> as Motion<L>>::Wrench, force: &mut [Row<R>]);
+    fn react<L: Lanes<Number = R>>(
+        group: &Group<R>,
+        part: usize,
+        at: &Geometry<L>,
+        sum: &<Self::Motion<L> as Motion<L>>::Wrench,
+        force: &mut [Row<R>],
+    );
 
     /// Advances a part of the bodies by a substep with the forces on them, which begin anew with the load.
     fn integrate<L: Lanes<Number = R>>(&mut self, part: usize, velocity: &mut [Row<R>], force: &mut [Row<R>], load: &[Row<R>]);

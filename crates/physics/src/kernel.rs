@@ -337,7 +337,7 @@ pub fn into_frame<L: Lanes>(frame: &[[L; 3]; 3], v: &[L; 3]) -> [L; 3] {
 }
 
 #[inline(always)]
-fn dot<L: Lanes>(a: &[L; 3], b: &[L; 3]) -> L {
+pub fn dot<L: Lanes>(a: &[L; 3], b: &[L; 3]) -> L {
     a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
 }
 
@@ -363,19 +363,33 @@ fn contact<L: Lanes, F: Form<L::Number>>(
     if count == 0 {
         return;
     }
-    let motion = F::relative::<L>(group, part, velocity);
+    let geometry = Geometry::load(group, part);
+    let motion = F::relative::<L>(group, part, &geometry, velocity);
     let mut sum = F::Motion::<L>::no_force();
     let relaxation = load(&group.relaxation, part);
     for point in group.points.iter_mut().take(count as usize) {
         spring(point, part, keep, law, relaxation, &motion, &mut sum);
     }
-    F::react::<L>(group, part, &sum, force);
+    // vector registers are too few to keep the geometry until here, and storing it elsewhere would cost more than loading it again
+    let geometry = if L::WIDTH == 1 { geometry } else { Geometry::load(group, part) };
+    F::react::<L>(group, part, &geometry, &sum, force);
 }
 
-/// Arm and frame of a part of a group.
-#[inline(always)]
-pub fn geometry<L: Lanes>(group: &Group<L::Number>, part: usize) -> ([L; 3], [[L; 3]; 3]) {
-    (load3(&group.arm, part), [load3(&group.frame[0], part), load3(&group.frame[1], part), load3(&group.frame[2], part)])
+/// Where the contacts of a part of a group are.
+#[derive(Debug, Clone, Copy)]
+pub struct Geometry<L> {
+    /// Centroid from the cluster's reference point, m.
+    pub arm: [L; 3],
+    /// Normal and tangents in the world.
+    pub frame: [[L; 3]; 3],
+}
+
+impl<L: Lanes> Geometry<L> {
+    #[inline(always)]
+    fn load(group: &Group<L::Number>, part: usize) -> Self {
+        let frame = [load3(&group.frame[0], part), load3(&group.frame[1], part), load3(&group.frame[2], part)];
+        Self { arm: load3(&group.arm, part), frame }
+    }
 }
 
 /// The springs of one point in each lane, from the motion of B relative to A along normal, tangent, tangent.

@@ -79,16 +79,24 @@ impl Manifold {
         key(self.a, self.b)
     }
 
-    /// Normal and tangents in the world. The normal stays upright on the face of A where that is strained.
-    pub fn frame_in_world(&self, bodies: &Bodies) -> [DVec3; 3] {
-        let (_, axes) = bodies.pose(self.a);
-        let [normal, along, across] = self.frame.map(|axis| axes * axis);
-        let Some(stretch) = bodies.stretch_of(self.a) else { return [normal, along, across] };
+    /// Normal in the world: upright on the face of A, also where that is strained.
+    pub fn normal_in_world(&self, bodies: &Bodies, axes_a: DMat3) -> DVec3 {
+        let normal = axes_a * self.frame[0];
+        let Some(stretch) = bodies.stretch_of(self.a) else { return normal };
         // normals go by the cofactors of what strains the face: det(S) S⁻ᵀ
         let [x, y, z] = [stretch.x_axis, stretch.y_axis, stretch.z_axis];
         let cofactors = DMat3::from_cols(y.cross(z), z.cross(x), x.cross(y));
-        let strained = axes * (cofactors * self.frame[0]);
-        let normal = strained.try_normalize().filter(|n| n.dot(normal) > 0.5).unwrap_or(normal);
+        let strained = axes_a * (cofactors * self.frame[0]);
+        strained.try_normalize().filter(|n| n.dot(normal) > 0.5).unwrap_or(normal)
+    }
+
+    /// Normal and tangents in the world.
+    pub fn frame_in_world(&self, bodies: &Bodies, axes_a: DMat3) -> [DVec3; 3] {
+        let normal = self.normal_in_world(bodies, axes_a);
+        let along = axes_a * self.frame[1];
+        if bodies.stretch_of(self.a).is_none() {
+            return [normal, along, axes_a * self.frame[2]];
+        }
         let along = (along - normal * normal.dot(along)).normalize();
         [normal, along, normal.cross(along)]
     }

@@ -162,7 +162,7 @@ impl Packing {
     fn load_geometry<R: Real>(&self, group: &mut Group<R>, l: usize, manifold: &Manifold, bodies: &Bodies) {
         let (center_a, axes_a) = bodies.pose(manifold.a);
         let centroid = center_a + axes_a * manifold.centroid;
-        for (to, axis) in group.frame.iter_mut().zip(manifold.frame_in_world(bodies)) {
+        for (to, axis) in group.frame.iter_mut().zip(manifold.frame_in_world(bodies, axes_a)) {
             put3(to, l, axis);
         }
         put3(&mut group.arm, l, centroid - self.reference);

@@ -4,7 +4,9 @@ use glam::{DMat3, DVec3};
 
 use crate::body::world_tensor;
 use crate::form::{Form, Loading, Motion, Push, Taken, lanes};
-use crate::kernel::{Group, Lane, Row, add, cross, geometry, into_frame, load, load3, out_of_frame, put3, row, row_mut, store3, vector};
+use crate::kernel::{
+    Geometry, Group, Lane, Row, add, cross, dot, into_frame, load, load3, out_of_frame, put3, row, row_mut, store3, vector,
+};
 use crate::lanes::{LANES, Lanes, Real, Row as _};
 
 /// A body a lane.
@@ -113,26 +115,23 @@ impl<R: Real> Form<R> for Rigid<R> {
     }
 
     #[inline(always)]
-    fn relative<L: Lanes<Number = R>>(group: &Group<R>, part: usize, velocity: &[Row<R>]) -> Turning<L> {
+    fn relative<L: Lanes<Number = R>>(group: &Group<R>, part: usize, at: &Geometry<L>, velocity: &[Row<R>]) -> Turning<L> {
         let first = L::WIDTH * part;
         // relative velocity at the reference point and relative spin, B over A; then at the centroid, along the frame
         let d = L::columns(|l| L::Row::read(row(velocity, group.b[first + l])) - L::Row::read(row(velocity, group.a[first + l])));
         let dw = [d[4], d[5], d[6]];
-        let (arm, frame) = geometry::<L>(group, part);
-        let turning = cross(&dw, &arm);
-        let v = into_frame(&frame, &[d[0] + turning[0], d[1] + turning[1], d[2] + turning[2]]);
-        Turning { v, w: into_frame(&frame, &dw) }
+        let turning = cross(&dw, &at.arm);
+        let v = into_frame(&at.frame, &[d[0] + turning[0], d[1] + turning[1], d[2] + turning[2]]);
+        Turning { v, w: into_frame(&at.frame, &dw) }
     }
 
     #[inline(always)]
-    fn react<L: Lanes<Number = R>>(group: &Group<R>, part: usize, sum: &Wrench<L>, force: &mut [Row<R>]) {
+    fn react<L: Lanes<Number = R>>(group: &Group<R>, part: usize, at: &Geometry<L>, sum: &Wrench<L>, force: &mut [Row<R>]) {
         let first = L::WIDTH * part;
-        // one force and one moment about the reference point, equal and opposite on the two; vector registers are too few to keep the
-        // geometry until here, and storing it elsewhere would cost more than loading it again
-        let (arm, frame) = geometry::<L>(group, part);
-        let f = out_of_frame(&frame, &sum.f);
-        let m = out_of_frame(&frame, &sum.m);
-        let t = cross(&arm, &f);
+        // one force and one moment about the reference point, equal and opposite on the two
+        let f = out_of_frame(&at.frame, &sum.f);
+        let m = out_of_frame(&at.frame, &sum.m);
+        let t = cross(&at.arm, &f);
         let zero = L::zero();
         let rows = L::rows([f[0], f[1], f[2], zero, t[0] + m[0], t[1] + m[1], t[2] + m[2], zero]);
         for (l, on_b) in rows.into_iter().enumerate() {
@@ -178,11 +177,19 @@ impl<R: Real> Form<R> for Rigid<R> {
 
     #[inline(always)]
     fn beyond<L: Lanes<Number = R>>(&self) -> bool {
-        let length = |x: [L; 3]| (x[0] * x[0] + x[1] * x[1] + x[2] * x[2]).sqrt();
         (0..LANES / L::WIDTH).any(|part| {
-            let turn = length(load3(&self.turn, part));
-            let travel = length(load3(&self.shift, part)) + turn * load(&self.radius, part);
-            L::any(load::<L>(&self.travel_bound, part).less(travel)) || L::any(load::<L>(&self.turn_bound, part).less(turn))
+            let (shift, turn) = (load3::<L>(&self.shift, part), load3::<L>(&self.turn, part));
+            let (shift, turn) = (dot(&shift, &shift), dot(&turn, &turn));
+            let (radius, travel_bound) = (load::<L>(&self.radius, part), load::<L>(&self.travel_bound, part));
+            let turn_bound = load::<L>(&self.turn_bound, part);
+            let beyond = (turn_bound * turn_bound).less(turn);
+            // Roots are for bodies that are near their bounds: (a + b)² is at most 2 (a² + b²). With room for rounding, so that it is the same
+            // whoever else is in the register.
+            let most = L::number(2.01) * (shift + turn * (radius * radius));
+            if !L::any((travel_bound * travel_bound).less(most)) {
+                return L::any(beyond);
+            }
+            L::any(travel_bound.less(shift.sqrt() + turn.sqrt() * radius)) || L::any(beyond)
         })
     }
 

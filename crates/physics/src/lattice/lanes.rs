@@ -7,7 +7,7 @@ use glam::{DMat3, DVec3};
 use super::springs::{KINDS, SPRINGS, ends, spring};
 use super::{PARTICLES, STRAIN_INERTIA, outer, place, sign, whole_moment};
 use crate::form::{Form, Loading, Motion, Push, Taken, lanes};
-use crate::kernel::{Group, Lane, Row, cross, geometry, into_frame, load, load3, out_of_frame, put3, row, row_mut, store3, vector};
+use crate::kernel::{Geometry, Group, Lane, Row, cross, into_frame, load, load3, out_of_frame, put3, row, row_mut, store3, vector};
 use crate::lanes::{LANES, Lanes, ROW, Real, Row as _};
 
 /// A block a lane. Lengths and velocities are in the world, from the pose at the last sync.
@@ -163,27 +163,27 @@ impl<R: Real> Form<R> for Lattice<R> {
     }
 
     #[inline(always)]
-    fn relative<L: Lanes<Number = R>>(group: &Group<R>, part: usize, velocity: &[Row<R>]) -> Straining<L> {
+    fn relative<L: Lanes<Number = R>>(group: &Group<R>, part: usize, at: &Geometry<L>, velocity: &[Row<R>]) -> Straining<L> {
         let first = L::WIDTH * part;
         let d = L::columns(|l| L::Row::read(row(velocity, group.b[first + l])) - L::Row::read(row(velocity, group.a[first + l])));
         let next = ROW as u32;
         let e =
             L::columns(|l| L::Row::read(row(velocity, group.b[first + l] + next)) - L::Row::read(row(velocity, group.a[first + l] + next)));
-        let (arm, frame) = geometry::<L>(group, part);
+        let Geometry { arm, frame } = at;
         let change = [[d[4], d[5], d[6]], [e[0], e[1], e[2]], [e[4], e[5], e[6]]];
-        let [x, y, z] = out_of_frame(&change, &arm);
+        let [x, y, z] = out_of_frame(&change, arm);
         Straining {
-            v: into_frame(&frame, &[d[0] + x, d[1] + y, d[2] + z]),
-            along: [into_frame(&frame, &out_of_frame(&change, &frame[1])), into_frame(&frame, &out_of_frame(&change, &frame[2]))],
+            v: into_frame(frame, &[d[0] + x, d[1] + y, d[2] + z]),
+            along: [into_frame(frame, &out_of_frame(&change, &frame[1])), into_frame(frame, &out_of_frame(&change, &frame[2]))],
         }
     }
 
     #[inline(always)]
-    fn react<L: Lanes<Number = R>>(group: &Group<R>, part: usize, sum: &Moments<L>, force: &mut [Row<R>]) {
+    fn react<L: Lanes<Number = R>>(group: &Group<R>, part: usize, at: &Geometry<L>, sum: &Moments<L>, force: &mut [Row<R>]) {
         let first = L::WIDTH * part;
-        let (arm, frame) = geometry::<L>(group, part);
-        let f = out_of_frame(&frame, &sum.f);
-        let m = [f, out_of_frame(&frame, &sum.along[0]), out_of_frame(&frame, &sum.along[1])];
+        let Geometry { arm, frame } = at;
+        let f = out_of_frame(frame, &sum.f);
+        let m = [f, out_of_frame(frame, &sum.along[0]), out_of_frame(frame, &sum.along[1])];
         let zero = L::zero();
         let x = out_of_frame(&m, &[arm[0], frame[1][0], frame[2][0]]);
         let rows = L::rows([f[0], f[1], f[2], zero, x[0], x[1], x[2], zero]);

@@ -78,6 +78,8 @@ pub fn figures(timed: &[Timed]) -> Vec<Figure> {
         worst("six lowest rows knocked out, worst frame, native", AtMost(8.0), native(HIT_LOW)),
         worst("six lowest rows knocked out, worst frame, WebAssembly", AtMost(16.0), of(HIT_LOW, SIMD128)),
         worst("collapse of 40 rows, worst frame, native", Goal::None, native(TALL)),
+        second("blocks of springs, full tower awake, a second, native", AtMost(350.0), native(SPRINGS)),
+        second("blocks of springs, full tower awake, a second, WebAssembly", AtMost(650.0), of(SPRINGS, SIMD128)),
         ratio("tower asleep over awake", AtMost(1.0), native(ASLEEP), native(AWAKE)).times(100.0, " %"),
         ratio("cost of a block, 60 rows at rest over 6 rows", AtMost(1.15), native(ROWS_60), native(ROWS_6)).times(0.1, ""),
         ratio("cost of a block, 60 rows that sway over 6 rows", Goal::None, native(SWAYING), native(ROWS_6)).times(0.1, ""),
@@ -96,6 +98,11 @@ fn per_frame(stretch: &Stretch) -> f64 {
 fn frame(of: &str, timed: &Timed) -> Figure {
     let frames: Vec<f64> = timed.stretches.iter().map(per_frame).collect();
     Figure { of: of.into(), goal: Goal::None, unit: " ms", quartiles: quartiles(&frames), value: None, hash: hashes(&[timed]) }
+}
+
+/// What a second of 60 frames takes of the processor.
+fn second(of: &str, goal: Goal, timed: &Timed) -> Figure {
+    Figure { goal, ..frame(of, timed).times(60.0, " ms") }
 }
 
 /// The ratio of what a frame takes of the processor, of both in the same round.

@@ -11,6 +11,7 @@ use crate::field::{Field, threads};
 /// The names under which figures find what was timed.
 pub mod name {
     pub const AWAKE: &str = "awake";
+    pub const SPRINGS: &str = "springs";
     pub const ASLEEP: &str = "asleep";
     pub const COLLAPSE: &str = "collapse";
     pub const HIT_LOW: &str = "hit low";
@@ -57,6 +58,7 @@ pub fn all() -> Result<Vec<Timed>, Fault> {
     let nodes: Vec<_> = builds.iter().map(|build| Ok(Rc::new(RefCell::new(Node::start(build)?)))).collect::<Result<_, Fault>>()?;
     let workloads = [
         (name::AWAKE, Workload::awake(18, 1e6, Precision::Single)?, 2),
+        (name::SPRINGS, Workload::springs()?, 1),
         (name::ASLEEP, Workload::asleep()?, 0),
         (name::COLLAPSE, Workload::golden("collapse", 60)?, 1),
         (name::HIT_LOW, swept(name::HIT_LOW, 18, 0..6, 3.0)?, 1),
