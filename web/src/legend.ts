@@ -33,7 +33,7 @@ export class Legend {
     this.button.setAttribute('aria-pressed', String(on));
     get('scale').hidden = !on || end === null;
     get('no-springs').hidden = !on || end !== null;
-    get('scale-unit').textContent = `Force of a spring, ${unit}`;
+    get('scale-unit').textContent = unit;
     this.values.forEach((span, i) => (span.textContent = values[i]));
   }
 }

@@ -19,7 +19,7 @@ import {
 import { ENDS, LATTICE_STRIDE, PARTICLES, SPRINGS } from './lattice';
 
 /** Thickness of a rod, m: of one without force, and what is added where it pushes or pulls with all that the scale has. */
-export const THICKNESS = { none: 0.00028, push: 0.0017, pull: 0.0006 };
+export const THICKNESS = { none: 0.00028, push: 0.0017, pull: 0.0009 };
 /** Length of a dash with its gap, and the part of it that is drawn. */
 export const DASH = { length: 0.0026, drawn: 0.62 };
 /** Diameter of a bead, m. */
@@ -84,7 +84,7 @@ varying float vPlace;
 
 void main() {
   if (vPlace > ${DASHED} && fract(vAlong / ${DASH.length} + 0.5 * ${DASH.drawn}) > ${DASH.drawn}) discard;
-  vec3 colour = mix(noneColour, vPlace < 0.0 ? pushColour : pullColour, smoothstep(0.0, 0.75, abs(vPlace)));
+  vec3 colour = mix(noneColour, vPlace < 0.0 ? pushColour : pullColour, smoothstep(0.0, 0.6, abs(vPlace)));
   // Along its edges a ribbon may be sampled a little beside it.
   float facing = sqrt(1.0 - 0.8 * min(1.0, vAcross * vAcross));
   gl_FragColor = vec4(colour * (0.65 + 0.35 * facing), 1.0);

@@ -142,7 +142,7 @@ const slower = (times: number) => (page: Page) =>
 
 test.each([
   [40, 3e5, 'rigid', 'Rigid'],
-  [0.02, 3e6, 'lattice', 'Springs inside'],
+  [0.03, 3e6, 'lattice', 'Springs inside'],
 ] as const)('a device that is %f times as slow gets contacts of %f N/m and %s blocks', async (times, expected, form, words) => {
   await using session = await Session.open(chrome, `${MEASURED}&render=once`, { before: slower(times) });
   const { page } = session;
@@ -150,6 +150,17 @@ test.each([
   expect(await page.evaluate(() => window.teeter.form)).toEqual({ value: form, chosen: true });
   expect(await page.textContent('#form-value')).toBe(`${words}, chosen for this device.`);
   expect(await page.inputValue('#form')).toBe('');
+  expect(session.complaints).toEqual([]);
+});
+
+test.each([
+  [40, 3e5],
+  [0.1, 3e6],
+])('a device that is %f times as slow gets contacts of %f N/m with rigid blocks that the address names', async (times, expected) => {
+  await using session = await Session.open(chrome, `${MEASURED}&form=rigid&render=once`, { before: slower(times) });
+  expect(await session.page.evaluate(() => window.teeter.stiffness)).toEqual({ value: expected, chosen: true });
+  expect(await session.page.evaluate(() => window.teeter.form)).toEqual({ value: 'rigid', chosen: false });
+  expect(await session.page.textContent('#form-value')).toBe('');
   expect(session.complaints).toEqual([]);
 });
 
