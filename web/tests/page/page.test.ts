@@ -463,9 +463,10 @@ test.each([
   const phone = width < 1000;
   await using session = await Session.open(chrome, SMALL, { viewport: { width, height }, hasTouch: phone, isMobile: phone });
   const { page } = session;
-  const faults = () =>
-    page.evaluate(() => {
+  const faults = (carrying = false) =>
+    page.evaluate(carrying => {
       const found: string[] = [];
+      if (carrying) document.getElementById('carrying')!.hidden = false;
       const shown = [...document.querySelectorAll<HTMLElement>('#title, #legend, #readouts, #tools, #panel, #carrying')].filter(
         e => e.offsetParent !== null || getComputedStyle(e).position === 'fixed',
       );
@@ -490,7 +491,7 @@ test.each([
       if (document.documentElement.scrollWidth > innerWidth || document.documentElement.scrollHeight > innerHeight)
         found.push('the page scrolls');
       return found;
-    });
+    }, carrying);
   expect(await faults()).toEqual([]);
   await page.click('#settings');
   expect(await faults()).toEqual([]);
@@ -501,8 +502,7 @@ test.each([
   await page.click('#springs-toggle');
   await page.waitForSelector('#scale:not([hidden])');
   expect(await faults(), 'with the legend of the springs').toEqual([]);
-  await page.evaluate(() => (document.getElementById('carrying')!.hidden = false));
-  expect(await faults(), 'with a block in the hand').toEqual([]);
+  expect(await faults(true), 'with a block in the hand').toEqual([]);
 });
 
 test('controls: a new seed, fewer rows, another scene, reset', async () => {
