@@ -8,7 +8,7 @@ export interface Hit {
   distance: number;
   /** In the world, m. */
   point: Vector3;
-  /** In the body's frame, m. */
+  /** In the body's frame, of the pose alone: there the hand holds it, m. */
   anchor: Vector3;
   /** Outward normal of the face, in the world. */
   normal: Vector3;
@@ -18,9 +18,10 @@ export interface Hit {
 export function pick(bodies: Bodies, origin: Vector3, direction: Vector3): Hit | null {
   let best: Hit | null = null;
   for (let body = 0; body < bodies.count; body++) {
-    const turn = bodies.turn(body);
-    const o = bodies.toLocal(body, origin);
-    const d = direction.clone().applyQuaternion(turn.clone().conjugate());
+    // In the block as it was made: a map that keeps lines keeps the distances along them too, in parts of the ray.
+    const back = bodies.axes(body).invert();
+    const o = origin.clone().sub(bodies.position(body)).applyMatrix3(back);
+    const d = direction.clone().applyMatrix3(back);
     const half = bodies.size(body).multiplyScalar(0.5);
     let near = -Infinity;
     let far = Infinity;
@@ -36,15 +37,18 @@ export function pick(bodies: Bodies, origin: Vector3, direction: Vector3): Hit |
       far = Math.min(far, Math.max(a, b));
     }
     if (near > far || near <= 0 || (best && near >= best.distance)) continue;
-    const anchor = o.clone().addScaledVector(d, near);
-    const normal = new Vector3().setComponent(axis, -Math.sign(d.getComponent(axis))).applyQuaternion(turn);
-    best = { body, distance: near, point: origin.clone().addScaledVector(direction, near), anchor, normal };
+    const point = origin.clone().addScaledVector(direction, near);
+    const normal = new Vector3()
+      .setComponent(axis, -Math.sign(d.getComponent(axis)))
+      .applyMatrix3(back.transpose())
+      .normalize();
+    best = { body, distance: near, point, anchor: bodies.toLocal(body, point), normal };
   }
   return best;
 }
 
 function inside(bodies: Bodies, body: number, point: Vector3): boolean {
-  const local = bodies.toLocal(body, point, bodies.newest);
+  const local = point.clone().sub(bodies.position(body, bodies.newest)).applyMatrix3(bodies.axes(body, bodies.newest).invert());
   const size = bodies.size(body);
   return Math.abs(local.x) < size.x / 2 && Math.abs(local.y) < size.y / 2 && Math.abs(local.z) < size.z / 2;
 }
@@ -69,7 +73,7 @@ export function isFree(bodies: Bodies, body: number, clearance = 0.012): boolean
   for (const x of [-0.48, -0.24, 0, 0.24, 0.48]) {
     for (const y of [-0.48, 0, 0.48]) {
       for (const z of [-0.48, 0, 0.48]) {
-        const point = bodies.toWorld(body, new Vector3(x * size.x, y * size.y, z * size.z), bodies.newest);
+        const point = bodies.surface(body, new Vector3(x * size.x, y * size.y, z * size.z), bodies.newest);
         for (const height of [0.25 * clearance, clearance]) {
           point.z = centre + rise + height;
           if (above.some(other => inside(bodies, other, point))) return false;

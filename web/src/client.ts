@@ -1,6 +1,6 @@
 // The page's end of the worker.
 
-import type { Answer, Built, Frame, FromWorker, Question, SceneEntry, Setup, ToWorker, Wish } from './protocol';
+import type { Answer, Built, Form, Frame, FromWorker, Question, SceneEntry, Setup, ToWorker, Wish } from './protocol';
 
 export interface Listener {
   scenes(list: SceneEntry[]): void;
@@ -38,6 +38,16 @@ export class Client {
 
   pause(paused: boolean): void {
     this.send({ type: 'pause', paused });
+  }
+
+  /** Makes the blocks of the running tower what they are to be. */
+  form(form: Form, springs: number | null): void {
+    this.send({ type: 'form', world: this.world, form, springs });
+  }
+
+  /** Says whether the springs are looked at. */
+  watch(springs: boolean): void {
+    this.send({ type: 'watch', springs });
   }
 
   ask<Q extends Question>(question: Q): Promise<Answer<Q>> {

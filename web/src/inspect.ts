@@ -1,6 +1,6 @@
 // `window.teeter`: a look into the page for tests and the curious. Nothing here changes anything.
 
-import type { Contact, Stiffness } from './protocol';
+import type { Constant, Contact, Form } from './protocol';
 
 export interface Inspect {
   readonly ready: boolean;
@@ -14,7 +14,14 @@ export interface Inspect {
   readonly paused: boolean;
   readonly count: number;
   readonly quality: string;
-  readonly stiffness: Stiffness;
+  /** Of the contacts, N/m. */
+  readonly stiffness: Constant<number>;
+  /** What the blocks are. */
+  readonly form: Constant<Form>;
+  /** Stiffness of the springs within the blocks, N/m; null where they are rigid. */
+  readonly springs: number | null;
+  /** The springs view: whether it is on, how many springs it shows, and the force at the end of its scale, N. */
+  readonly view: { springs: boolean; shown: number; scale: number };
   /** Seven numbers a body: position (m), orientation (x, y, z, w). */
   readonly poses: number[];
   /** Three numbers a body, m. */
@@ -37,7 +44,7 @@ export interface Inspect {
   readonly longest: { physics: number; picture: number };
   hash(): Promise<{ hash: string; time: number }>;
   contacts(body: number): Promise<Contact[]>;
-  /** Screen position (CSS px) of a point in a block's frame (m; its centre if not given). */
+  /** Screen position (CSS px) of a point of a block as it was made (m from its centre; the centre if not given). */
   screenOf(body: number, local?: [number, number, number]): { x: number; y: number };
   /** Screen position (CSS px) of a point in the world, m. */
   project(point: [number, number, number]): { x: number; y: number };

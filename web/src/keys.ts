@@ -9,6 +9,7 @@ export interface KeyActions {
   mode(mode: Mode): void;
   place(): void;
   help(): void;
+  springs(): void;
   /** Whether keys belong to a control at the moment. */
   busy(): boolean;
 }
@@ -38,6 +39,7 @@ export function listen(hand: Hand, orbit: Orbit, actions: KeyActions): void {
       if (!event.repeat) actions.pause();
     } else if (key === 'f') actions.frame();
     else if (key === 'p') actions.place();
+    else if (key === 's') actions.springs();
     else if (key === 'h' || key === '?') actions.help();
     else if (key === 'q') hand.turn(Math.PI / 2);
     else if (key === 'e') hand.turn(-Math.PI / 2);

@@ -6,15 +6,19 @@ import { Client } from './client';
 import { Hand, holding } from './hand';
 import type { Inspect } from './inspect';
 import { listen } from './keys';
+import { greatest, Lattices } from './lattice';
+import { Legend } from './legend';
 import { Notice, trouble } from './notice';
 import { Orbit } from './orbit';
 import { Blend, Rate } from './pacing';
 import { Panel, SLOW } from './panel';
 import { Pointers } from './pointers';
-import { FRAME, type Built, type Frame, type Setup, type Stiffness } from './protocol';
+import { FRAME, type Built, type Constant, type Form, type Frame, type Setup } from './protocol';
 import { Quality, TIERS } from './quality';
 import { readOptions } from './query';
 import { Ring } from './ring';
+import { ForceScale } from './scale';
+import { squash } from './squash';
 import { Verdict, type State } from './verdict';
 import { View } from './view';
 
@@ -56,7 +60,15 @@ function start(): void {
   let paused = false;
   let slow = false;
   let slowSince = 0;
-  let stiffness: Stiffness = { value: 0, chosen: false };
+  let stiffness: Constant<number> = { value: 0, chosen: false };
+  let form: Constant<Form> = { value: 'rigid', chosen: false };
+  let springs: number | null = null;
+  const lattices = new Lattices();
+  const forces = new ForceScale();
+  /** Whether the springs are to be seen. */
+  let watching = false;
+  /** Whether forces have changed since they were drawn. */
+  let tensed = false;
 
   const client = new Client({
     scenes(list) {
@@ -84,7 +96,10 @@ function start(): void {
     turn: quarters => hand.turn((quarters * Math.PI) / 2),
     tip: () => hand.tip(),
     letGo: () => hand.letGo(),
+    form: (next, stiffness) => client.form(next, stiffness),
+    springs: watch,
   });
+  const legend = new Legend({ toggle: () => watch(!watching), useSprings: () => panel.chooseForm('lattice') });
   const frameTower = () => orbit.frame(bodies?.top() ?? 0.33);
   const pointers = new Pointers(canvas, hand, orbit, () => bodies, frameTower);
   listen(hand, orbit, {
@@ -96,6 +111,7 @@ function start(): void {
     },
     place: () => hand.place(),
     help: () => panel.openHelp(),
+    springs: () => watch(!watching),
     busy: () => panel.busy(),
   });
 
@@ -106,10 +122,15 @@ function start(): void {
 
   function built(world: Built): void {
     const first = bodies === null;
-    bodies = new Bodies(world.sizes, world.poses);
+    bodies = new Bodies(world.sizes, world.poses, world.place);
     verdict = new Verdict(world.poses);
     stiffness = world.stiffness;
     panel.setStiffness(stiffness);
+    form = world.form;
+    springs = world.springs;
+    panel.setForm(form, springs);
+    lattices.arrive(null);
+    forces.restart();
     state = 'standing';
     last = null;
     slow = false;
@@ -122,7 +143,9 @@ function start(): void {
 
   function arrive(frame: Frame): void {
     if (!bodies || !verdict) return;
-    bodies.arrive(frame.poses);
+    bodies.arrive(frame.poses, frame.lattices);
+    lattices.arrive(frame.lattices);
+    takeForm(frame);
     blend.arrive(performance.now() / 1000);
     for (const body of frame.quarantined)
       if (!last?.quarantined.includes(body)) notice.say(`Block ${body} ran away and was frozen where it was.`, 8);
@@ -130,9 +153,29 @@ function start(): void {
     hand.arrive(frame);
     const held = hand.hold?.body ?? hand.poking;
     const before = state;
-    state = verdict.judge(frame.poses, frame.time, frame.maxSpeed, held);
+    state = verdict.judge(frame.poses, frame.time, frame.maxSpeed, held, squash(bodies, verdict.heights));
     if (state === 'fallen' && before !== 'fallen') notice.say('The tower fell.', 6);
     watchSpeed(frame);
+  }
+
+  /** Blocks change only where the player has them changed, and on the way there their springs go through what is between. */
+  function takeForm(frame: Frame): void {
+    springs = frame.springs;
+    if (frame.form === form.value) return;
+    form = { value: frame.form, chosen: false };
+    panel.setForm(form, springs);
+  }
+
+  function watch(next: boolean): void {
+    watching = next;
+    client.watch(watching);
+    panel.setWatching(watching);
+    showLegend();
+    view.invalidate();
+  }
+
+  function showLegend(): void {
+    legend.show(watching, form.value === 'lattice' ? forces.end : null);
   }
 
   /** Says so when time has been slow for a second, and when it no longer is. */
@@ -190,6 +233,10 @@ function start(): void {
     if (hand.hold && !hand.frozen) orbit.halt();
     const moved = orbit.update(Math.min(since, 0.1));
     const change = bodies.blend(blend.at(now));
+    if (lattices.blend(blend.at(now)) && watching) tensed = true;
+    const inside = watching ? lattices.shown : null;
+    if (inside) forces.follow(greatest(inside), since);
+    view.showSprings(inside, forces.end);
     const holders = hand.holders();
     const marked = view.marks.show(bodies, {
       hovered: pointers.active ? null : pointers.hovered,
@@ -204,11 +251,13 @@ function start(): void {
     if (now - readAt > READOUT) {
       readAt = now;
       showReadouts();
+      showLegend();
       panel.setPlaceable(hand.canPlace());
     }
     panel.setCarrying(hand.hold?.grip === 'carry' && !hand.hold.placing);
     if (options.render === 'once' && now - drawnAt < 1) return;
-    if (!view.follow(bodies, change) && !moved && !marked && drawnAt > 0) return;
+    if (!view.follow(bodies, change) && !moved && !marked && !tensed && drawnAt > 0) return;
+    tensed = false;
     const before = performance.now();
     view.draw();
     longestPicture = Math.max(longestPicture, performance.now() - before);
@@ -292,6 +341,15 @@ function start(): void {
     get stiffness() {
       return stiffness;
     },
+    get form() {
+      return form;
+    },
+    get springs() {
+      return springs;
+    },
+    get view() {
+      return { springs: watching, shown: view.springsShown, scale: forces.end };
+    },
     get quality() {
       return quality.tier.name;
     },
@@ -322,7 +380,7 @@ function start(): void {
     hash: () => client.ask({ what: 'hash' }),
     contacts: body => client.ask({ what: 'contacts', body }),
     screenOf(body, local = [0, 0, 0]) {
-      return inspect.project(bodies!.toWorld(body, new Vector3(...local), bodies!.newest).toArray());
+      return inspect.project(bodies!.surface(body, new Vector3(...local), bodies!.newest).toArray());
     },
     project: point => orbit.project(new Vector3(...point), canvas.clientWidth, canvas.clientHeight),
     blockAt: (x, y) => pointers.pickAt(x, y)?.body ?? null,

@@ -1,6 +1,6 @@
 // What is drawn over the wood: outlines of blocks, and ghosts of the free slots.
 
-import { BoxGeometry, EdgesGeometry, Group, Mesh, MeshBasicMaterial, Quaternion, Vector3 } from 'three';
+import { BoxGeometry, EdgesGeometry, Group, Mesh, MeshBasicMaterial, type Vector3 } from 'three';
 import { LineMaterial } from 'three/addons/lines/LineMaterial.js';
 import { LineSegments2 } from 'three/addons/lines/LineSegments2.js';
 import { LineSegmentsGeometry } from 'three/addons/lines/LineSegmentsGeometry.js';
@@ -30,6 +30,7 @@ function line(colour: string, width: number, dashed: boolean, through: boolean):
   const mark = new LineSegments2(edges, material);
   if (dashed) mark.computeLineDistances();
   mark.visible = false;
+  mark.matrixAutoUpdate = false;
   mark.renderOrder = through ? 3 : 2;
   return mark;
 }
@@ -68,6 +69,7 @@ export class Marks {
         new MeshBasicMaterial({ color: GHOST, transparent: true, opacity: 0.16, depthWrite: false }),
       );
       box.renderOrder = 2;
+      box.matrixAutoUpdate = false;
       const outline = line(GHOST, 2, true, false);
       this.ghosts.push({ box, outline });
       this.group.add(box, outline);
@@ -88,7 +90,7 @@ export class Marks {
       const chosen = state.chosen !== null && slot.position.distanceTo(state.chosen.position) < 1e-3;
       (ghost.box.material as MeshBasicMaterial).opacity = chosen ? 0.42 : 0.14;
       ghost.outline.material.linewidth = chosen ? 3.5 : 1.8;
-      for (const mark of [ghost.box, ghost.outline]) place(mark, slot.position, slot.orientation, state.slotSize!);
+      for (const mark of [ghost.box, ghost.outline]) mark.matrix.compose(slot.position, slot.orientation, state.slotSize!);
     });
     const shown = JSON.stringify([
       state.hovered,
@@ -105,12 +107,6 @@ export class Marks {
 
   private outline(mark: LineSegments2, bodies: Bodies, body: number | null): void {
     mark.visible = body !== null && body < bodies.count;
-    if (mark.visible) place(mark, bodies.position(body!), bodies.turn(body!), bodies.size(body!).addScalar(2 * OFF));
+    if (mark.visible) bodies.matrix(body!, bodies.size(body!).addScalar(2 * OFF), mark.matrix);
   }
-}
-
-function place(mark: Mesh, position: Vector3, turn: Quaternion, size: Vector3): void {
-  mark.position.copy(position);
-  mark.quaternion.copy(turn);
-  mark.scale.copy(size);
 }

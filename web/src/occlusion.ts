@@ -3,7 +3,7 @@
 // A grid of cells says which part of each is filled. The shaders walk from a surface into the grid in a few directions: holes and the
 // table under the tower come out soft and dark, with no pass over the screen, on every device alike.
 
-import { Data3DTexture, LinearFilter, LinearMipmapLinearFilter, RedFormat, Vector3 } from 'three';
+import { Data3DTexture, LinearFilter, LinearMipmapLinearFilter, RedFormat, Vector3, type Matrix3 } from 'three';
 import type { Bodies } from './bodies';
 
 /** Edge of a cell, m: three to a block's height. */
@@ -39,19 +39,23 @@ export class Occlusion {
     this.texture.dispose();
   }
 
-  update(bodies: Bodies): void {
+  /** `dense`: part of the light that a block takes. */
+  update(bodies: Bodies, dense: number): void {
     this.cells.fill(0);
-    for (let body = 0; body < bodies.count; body++) this.fill(bodies, body);
+    for (let body = 0; body < bodies.count; body++) this.fill(bodies, body, 255 * dense);
     this.texture.needsUpdate = true;
   }
 
-  private fill(bodies: Bodies, body: number): void {
+  private fill(bodies: Bodies, body: number, full: number): void {
     const [nx, ny, nz] = this.n;
     const { origin, cells } = this;
     const centre = bodies.position(body).sub(origin);
     const half = bodies.size(body).multiplyScalar(0.5);
-    const turn = bodies.turn(body);
-    const axes = [new Vector3(1, 0, 0), new Vector3(0, 1, 0), new Vector3(0, 0, 1)].map(axis => axis.applyQuaternion(turn));
+    const map = bodies.axes(body);
+    const axes = columns(map);
+    // A point's coordinates in the block are its products with these, over their lengths: for a block that is not strained the axes again.
+    const across = columns(map.clone().invert().transpose());
+    const lengths = across.map(axis => axis.length());
     const reach = (k: number) =>
       half.x * Math.abs(axes[0].getComponent(k)) + half.y * Math.abs(axes[1].getComponent(k)) + half.z * Math.abs(axes[2].getComponent(k));
     const from = (k: number) => Math.max(0, Math.floor((centre.getComponent(k) - reach(k)) / CELL - 0.5));
@@ -65,13 +69,14 @@ export class Occlusion {
           const dz = (z + 0.5) * CELL - centre.z;
           let filled = 1;
           for (let k = 0; k < 3; k++) {
-            const axis = axes[k];
-            const depth = (half.getComponent(k) - Math.abs(dx * axis.x + dy * axis.y + dz * axis.z)) / CELL + 0.5;
+            const axis = across[k];
+            const inside = half.getComponent(k) - Math.abs(dx * axis.x + dy * axis.y + dz * axis.z);
+            const depth = inside / lengths[k] / CELL + 0.5;
             filled *= Math.min(1, Math.max(0, depth));
           }
           if (filled === 0) continue;
           const at = x + nx * (y + ny * z);
-          cells[at] = Math.min(255, cells[at] + filled * 255);
+          cells[at] = Math.min(255, cells[at] + filled * full);
         }
       }
     }
@@ -81,6 +86,12 @@ export class Occlusion {
   uniforms() {
     return { skyMap: { value: this.texture }, skyOrigin: { value: this.origin }, skyExtent: { value: this.extent } };
   }
+}
+
+function columns(map: Matrix3): [Vector3, Vector3, Vector3] {
+  const all: [Vector3, Vector3, Vector3] = [new Vector3(), new Vector3(), new Vector3()];
+  map.extractBasis(...all);
+  return all;
 }
 
 /** `float skyLight(vec3 position, vec3 normal)`: the part of the sky that is seen, 0 to 1. */

@@ -2,7 +2,8 @@
 
 import type { Mode } from './hand';
 import { STIFFNESSES } from './device';
-import type { BlockPreset, SceneEntry, SceneSource, Setup, Stiffness } from './protocol';
+import { newtonsPerMillimetre, SpringsDial } from './dial';
+import type { BlockPreset, Constant, Form, SceneEntry, SceneSource, Setup } from './protocol';
 import { CAP, MOST_SEED, ROWS, type Options } from './query';
 import type { State } from './verdict';
 
@@ -16,6 +17,10 @@ export interface Actions {
   turn(quarters: number): void;
   tip(): void;
   letGo(): void;
+  /** Makes the blocks of the running tower what they are to be; `springs` as in [`Setup`]. */
+  form(form: Form, springs: number | null): void;
+  /** Shows the springs, or wood. */
+  springs(shown: boolean): void;
 }
 
 export interface Readouts {
@@ -47,6 +52,9 @@ export class Panel {
   private readonly seed = get<HTMLInputElement>('seed');
   private readonly cap = get<HTMLInputElement>('cap');
   private readonly stiffness = get<HTMLSelectElement>('stiffness');
+  private readonly form = get<HTMLSelectElement>('form');
+  private readonly dial: SpringsDial;
+  private readonly showSprings = get<HTMLInputElement>('show-springs');
   private readonly sleep = get<HTMLInputElement>('sleep');
   private readonly pause = get<HTMLButtonElement>('pause');
   private readonly help = get<HTMLDialogElement>('help');
@@ -63,6 +71,8 @@ export class Panel {
     this.seed.value = String(options.seed);
     this.sleep.checked = options.sleep;
     this.setStiffnesses(options.stiffness);
+    this.form.value = options.form ?? '';
+    this.dial = new SpringsDial(options.springs, springs => actions.form('lattice', springs));
     this.cap.min = String(CAP.least);
     this.cap.max = String(CAP.most);
     this.cap.value = String(options.cap);
@@ -81,7 +91,13 @@ export class Panel {
   }
 
   setup(): Setup {
-    return { source: this.source(), sleep: this.sleep.checked, stiffness: Number(this.stiffness.value) || null };
+    return {
+      source: this.source(),
+      sleep: this.sleep.checked,
+      stiffness: Number(this.stiffness.value) || null,
+      form: this.chosenForm(),
+      springs: this.dial.chosen,
+    };
   }
 
   private source(): SceneSource {
@@ -89,8 +105,30 @@ export class Panel {
     return { kind: 'tower', rows: Number(this.rows.value), seed: this.seedValue(), block: this.block.value as BlockPreset };
   }
 
+  private chosenForm(): Form | null {
+    return (this.form.value || null) as Form | null;
+  }
+
+  /** The player wants blocks of a form, in the tower that stands too. */
+  chooseForm(form: Form): void {
+    this.form.value = form;
+    this.actions.form(form, this.dial.chosen);
+  }
+
+  /** Tells what the blocks are, and how stiff the springs within them (N/m; null where they are rigid). */
+  setForm({ value, chosen }: Constant<Form>, springs: number | null): void {
+    const words = { rigid: 'Rigid', lattice: 'Springs inside' };
+    put('form-value', chosen ? `${words[value]}, chosen for this device.` : '');
+    this.dial.tell(springs);
+  }
+
+  setWatching(watching: boolean): void {
+    this.showSprings.checked = watching;
+  }
+
   /** Tells the stiffness that was chosen for the tower; one that the player chose stands in the list. */
-  setStiffness({ value, chosen }: Stiffness): void {
+  setStiffness({ value, chosen }: Constant<number>): void {
+    this.dial.contacts = value;
     put('stiffness-value', chosen ? `${newtonsPerMillimetre(value)}, chosen for this device.` : '');
   }
 
@@ -150,6 +188,12 @@ export class Panel {
     this.block.addEventListener('change', rebuild);
     this.stiffness.addEventListener('change', rebuild);
     this.sleep.addEventListener('change', rebuild);
+    this.form.addEventListener('change', () => {
+      const form = this.chosenForm();
+      if (form) actions.form(form, this.dial.chosen);
+      else rebuild();
+    });
+    this.showSprings.addEventListener('change', () => actions.springs(this.showSprings.checked));
     this.scene.addEventListener('change', () => {
       this.showValues();
       rebuild();
@@ -218,10 +262,6 @@ export class Panel {
 function put(id: string, text: string): void {
   const element = get(id);
   if (element.textContent !== text) element.textContent = text;
-}
-
-function newtonsPerMillimetre(stiffness: number): string {
-  return `${stiffness / 1000} N/mm`;
 }
 
 function capital(text: string): string {

@@ -13,6 +13,9 @@ export type BlockPreset = 'dissertation' | 'official';
 /** What to build a world from. */
 export type SceneSource = { kind: 'tower'; rows: number; seed: number; block: BlockPreset } | { kind: 'named'; name: string };
 
+/** What blocks are: rigid, or particles held together by springs. */
+export type Form = 'rigid' | 'lattice';
+
 /** What to build, and how. */
 export interface Setup {
   source: SceneSource;
@@ -20,12 +23,15 @@ export interface Setup {
   sleep: boolean;
   /** Stiffness of the contacts, N/m; null for the stiffest that the device holds in real time. */
   stiffness: number | null;
+  /** What the blocks are; null for springs inside where the device holds real time with them. */
+  form: Form | null;
+  /** Stiffness of the springs within the blocks, N/m; null for that of the contacts. */
+  springs: number | null;
 }
 
-/** Stiffness of the contacts of a tower. */
-export interface Stiffness {
-  /** N/m. */
-  value: number;
+/** A constant of a tower. */
+export interface Constant<T> {
+  value: T;
   /** Whether it was chosen for the device. */
   chosen: boolean;
 }
@@ -106,6 +112,11 @@ export interface Frame {
   factor: number;
   /** Simulated time per time spent stepping over the last second: what this device could do. */
   capacity: number;
+  form: Form;
+  /** Stiffness of the springs within the blocks at the moment, N/m; null where they are rigid. */
+  springs: number | null;
+  /** Particles and springs, as lattice.ts has them; null where the blocks have none, or nobody looks and nothing of them is seen. */
+  lattices: Float32Array | null;
 }
 
 export interface Built {
@@ -114,7 +125,13 @@ export interface Built {
   /** Edge lengths, three numbers a body, m. */
   sizes: Float32Array;
   poses: Float32Array;
-  stiffness: Stiffness;
+  /** Stiffness of the contacts, N/m. */
+  stiffness: Constant<number>;
+  form: Constant<Form>;
+  /** Stiffness of the springs within the blocks, N/m; null where they are rigid. */
+  springs: number | null;
+  /** Distance of the particles inside blocks from the centre along each axis, over half the edge. */
+  place: number;
 }
 
 export type Question = { what: 'hash' } | { what: 'contacts'; body: number };
@@ -124,6 +141,10 @@ export type ToWorker =
   | { type: 'build'; world: number; setup: Setup }
   | { type: 'hand'; world: number; wish: Wish | null }
   | { type: 'pause'; paused: boolean }
+  /** What the blocks of the running tower are to become; `springs` as in [`Setup`]. */
+  | { type: 'form'; world: number; form: Form; springs: number | null }
+  /** Whether the springs are looked at. */
+  | { type: 'watch'; springs: boolean }
   | { type: 'ask'; id: number; question: Question };
 
 export type FromWorker =

@@ -1,7 +1,9 @@
 // The wasm world with the hand led along: what the worker runs. It knows no clock and no messages.
 
+import { Glide } from './glide';
+import { farthest, LATTICE_STRIDE, strains } from './lattice';
 import { Leash } from './leash';
-import { FRAME, POSE_STRIDE, type Contact, type HandState, type Quat, type SceneSource, type Vec, type Wish } from './protocol';
+import { FRAME, POSE_STRIDE, type Contact, type Form, type HandState, type Quat, type SceneSource, type Vec, type Wish } from './protocol';
 import { add, length, rotate } from './vectors';
 import { Simulation, namedScene, towerScene } from './wasm/teeter_wasm.js';
 
@@ -9,6 +11,23 @@ import { Simulation, namedScene, towerScene } from './wasm/teeter_wasm.js';
 interface Scene {
   blocks: unknown[];
   stiffness: number;
+  form?: Form;
+  springs?: { stiffness?: number; damping?: number; particles?: 'inside' | 'corners' };
+}
+
+/** What a scene itself says of its blocks. */
+export interface Own {
+  blocks: number;
+  form: Form | null;
+  /** Stiffness of the springs within them, N/m; null for that of the contacts. */
+  springs: number | null;
+}
+
+/** What is chosen for a scene. Stiffness is that of the contacts, N/m. */
+export interface Choice {
+  form: Form;
+  stiffness: number;
+  springs: number | null;
 }
 
 interface StepReport {
@@ -30,19 +49,34 @@ export interface Step {
 /** Part of the largest force from which the hand counts as giving all it has. */
 const SPENT = 0.98;
 
-/** The scene as JSON, with the stiffness that `choose` gives for its number of blocks, N/m. Throws an Error whose message is for the user. */
-export function sceneText(source: SceneSource, choose: (blocks: number) => number): string {
+/** How far strain moves a corner of a block before it is drawn, m. */
+const SEEN = 5e-5;
+
+/** The scene as JSON, with what `choose` chooses. Throws an Error whose message is for the user. */
+export function sceneText(source: SceneSource, choose: (own: Own) => Choice): string {
   const text =
     source.kind === 'named'
       ? namedScene(source.name)
       : towerScene(JSON.stringify({ rows: source.rows, seed: source.seed, block: source.block }));
   const scene = JSON.parse(text) as Scene;
-  scene.stiffness = choose(scene.blocks.length);
+  // Springs inside are said in a scene, rigid blocks are what it has where nothing is said.
+  const own = {
+    blocks: scene.blocks.length,
+    form: scene.form === 'lattice' ? scene.form : null,
+    springs: scene.springs?.stiffness ?? null,
+  };
+  const { form, stiffness, springs } = choose(own);
+  scene.stiffness = stiffness;
+  scene.form = form;
+  scene.springs = { ...scene.springs, stiffness: springs ?? undefined };
   return JSON.stringify(scene);
 }
 
 export class Simulator {
   private readonly simulation: Simulation;
+  private readonly glide: Glide;
+  /** What the scene says of springs besides their stiffness. */
+  private readonly springs: Scene['springs'];
   private readonly quarantined = new Set<number>();
   private wish: Wish | null = null;
   private leash: Leash | null = null;
@@ -57,6 +91,8 @@ export class Simulator {
     private readonly memory: WebAssembly.Memory,
   ) {
     this.simulation = new Simulation(scene, JSON.stringify({ sleep, frame: FRAME }));
+    this.springs = (JSON.parse(scene) as Scene).springs;
+    this.glide = new Glide({ form: this.form, springs: this.springStiffness ?? this.stiffness }, this.stiffness);
   }
 
   free(): void {
@@ -73,6 +109,26 @@ export class Simulator {
     return this.simulation.stiffness;
   }
 
+  /** What the blocks are at the moment. */
+  get form(): Form {
+    return this.simulation.form as Form;
+  }
+
+  /** Stiffness of the springs within the blocks at the moment, N/m; null where they are rigid. */
+  get springStiffness(): number | null {
+    return this.simulation.springStiffness ?? null;
+  }
+
+  /** Distance of the particles inside blocks from the centre along each axis, over half the edge. */
+  get place(): number {
+    return this.springs?.particles === 'corners' ? 1 : 1 / Math.sqrt(3);
+  }
+
+  /** What the blocks are to become within the next steps; springs null for the stiffness of the contacts. */
+  become(form: Form, springs: number | null): void {
+    this.glide.want({ form, springs: springs ?? this.stiffness });
+  }
+
   sizes(): Float32Array {
     return Float32Array.from(this.simulation.sizes());
   }
@@ -80,6 +136,17 @@ export class Simulator {
   /** A copy of the poses that may be given away. */
   poses(): Float32Array {
     return Float32Array.from(this.view());
+  }
+
+  /** A copy of the particles and springs that may be given away: where they are `watched` or have visibly strained a block. */
+  lattices(watched: boolean): Float32Array | null {
+    if (this.form === 'rigid') return null;
+    // The place is asked for first: writing them down may let memory grow.
+    const at = this.simulation.latticesPtr();
+    const view = new Float32Array(this.memory.buffer, at, this.simulation.length * LATTICE_STRIDE);
+    const sizes = this.simulation.sizes();
+    if (!watched && farthest(strains(view, this.view(), sizes, this.place), sizes) < SEEN) return null;
+    return view.slice();
   }
 
   hash(): string {
@@ -107,6 +174,8 @@ export class Simulator {
   }
 
   step(): Step {
+    const blocks = this.glide.next();
+    if (blocks) this.simulation.setForm(JSON.stringify({ form: blocks.form, springs: { ...this.springs, stiffness: blocks.springs } }));
     const wish = this.wish;
     if (!wish) return this.finish('', null);
     const { point, orientation } = this.grasped(wish);

@@ -38,7 +38,7 @@ function lying(bodies: Bodies, held: number | null): Lying[] {
     const turn = bodies.turn(body, bodies.newest);
     if (Math.abs(UP.clone().applyQuaternion(turn).z) < 0.98) continue;
     const position = bodies.position(body, bodies.newest);
-    const half = bodies.size(body).z / 2;
+    const half = bodies.edges(body, bodies.newest).z / 2;
     all.push({
       body,
       position,

@@ -12,7 +12,8 @@ const SPEED = 0.004;
 const CARE = 1.5;
 
 export class Verdict {
-  private readonly heights: Float64Array;
+  /** Of the centres, were no block strained, m. */
+  readonly heights: Float64Array;
   /** Simulated time until which a block is in the player's care. */
   private readonly care: Float64Array;
   private readonly fallen = new Set<number>();
@@ -23,11 +24,11 @@ export class Verdict {
     this.care = new Float64Array(count).fill(-1);
   }
 
-  /** Takes in a state; `held` is the block in the hand. */
-  judge(poses: Float32Array, time: number, maxSpeed: number, held: number | null): State {
+  /** Takes in a state; `held` is the block in the hand, `sunk` by how much strain lets each block be lower (m): that is no fall. */
+  judge(poses: Float32Array, time: number, maxSpeed: number, held: number | null, sunk: ArrayLike<number> | null = null): State {
     if (held !== null) this.care[held] = time + CARE;
     for (let body = 0; body < this.heights.length; body++) {
-      const height = poses[body * POSE_STRIDE + 2];
+      const height = poses[body * POSE_STRIDE + 2] + (sunk?.[body] ?? 0);
       // A block in care takes its new height with it: putting it on the table is no fall.
       if (this.care[body] >= time) this.heights[body] = height;
       else if (this.heights[body] - height > FALL) this.fallen.add(body);

@@ -13,18 +13,26 @@ import {
   Vector3,
   WebGLRenderer,
   type BufferGeometry,
+  type Material,
 } from 'three';
 import type { Bodies } from './bodies';
+import { Glass } from './glass';
+import type { Lattices } from './lattice';
 import { Marks } from './marks';
 import { Occlusion } from './occlusion';
 import type { Orbit } from './orbit';
 import type { Tier } from './quality';
 import type { ShadowSpan } from './shadow';
+import { SpringsView } from './springs';
 import { Table } from './table';
 import { chamferedBox, woodMaterial } from './wood';
 
 /** Change of a pose that shows in the picture, m. */
 const VISIBLE = 1e-5;
+/** Part of the sun's light that a shadow takes. */
+const SHADOW = { wood: 0.92, glass: 0.4 };
+/** Part of the sky's light that blocks take which one sees through. */
+const DENSE_GLASS = 0.3;
 
 /** Numbers from 0 to 1 that look random and are the same for the same block. */
 function scatter(body: number, salt: number): number {
@@ -43,9 +51,13 @@ export class View {
   private readonly span: ShadowSpan = { half: { value: 1 }, depth: { value: 1 } };
   private readonly table = new Table(this.span);
   private readonly wood = woodMaterial(this.span);
-  private mesh: InstancedMesh<BufferGeometry> | null = null;
+  private readonly glass = new Glass();
+  private readonly springs = new SpringsView();
+  private mesh: InstancedMesh<BufferGeometry, Material> | null = null;
   private occlusion: Occlusion | null = null;
   private nominal = new Vector3(1, 1, 1);
+  /** Whether one sees through the blocks. */
+  private clear = false;
   private stale = true;
   private ratio = 1;
 
@@ -64,8 +76,8 @@ export class View {
     this.sun.castShadow = true;
     this.sun.shadow.bias = -0.0002;
     this.sun.shadow.normalBias = 0.0009;
-    this.sun.shadow.intensity = 0.92;
-    this.scene.add(this.sun, this.sun.target, this.sky, this.table.mesh, this.marks.group);
+    this.sun.shadow.intensity = SHADOW.wood;
+    this.scene.add(this.sun, this.sun.target, this.sky, this.table.mesh, this.marks.group, this.glass.edges, this.springs.group);
     this.setDark(false);
   }
 
@@ -93,6 +105,8 @@ export class View {
     this.mesh.frustumCulled = false;
     this.mesh.castShadow = this.mesh.receiveShadow = true;
     this.scene.add(this.mesh);
+    this.glass.begin(this.mesh, this.nominal);
+    this.showSprings(null, 1);
     const top = bodies.top();
     this.occlusion = new Occlusion(top);
     this.wood.setOcclusion(this.occlusion);
@@ -105,10 +119,13 @@ export class View {
     this.ratio = Math.min(window.devicePixelRatio, tier.pixels) * this.scale;
     this.renderer.setPixelRatio(this.ratio);
     this.renderer.setSize(width, height, false);
+    this.springs.resize(width * this.ratio, height * this.ratio);
     this.setTier(tier);
   }
 
   setDark(dark: boolean): void {
+    this.glass.setDark(dark);
+    this.springs.setDark(dark);
     this.table.setColour(dark ? '#45413e' : '#dedad3');
     this.sun.intensity = dark ? 2.5 : 2.9;
     this.sky.intensity = dark ? 1.05 : 1.5;
@@ -120,6 +137,22 @@ export class View {
     this.stale = true;
   }
 
+  /** Number of springs in the picture. */
+  get springsShown(): number {
+    return this.springs.shown;
+  }
+
+  /** Draws springs within blocks that one sees through, with the end of their scale at `end` (N); wood where they are null. */
+  showSprings(lattices: Lattices['shown'], end: number): void {
+    this.springs.show(lattices, end);
+    const clear = lattices !== null;
+    if (this.mesh) this.mesh.material = clear ? this.glass.faces : this.wood.material;
+    if (clear === this.clear) return;
+    this.clear = this.glass.edges.visible = clear;
+    this.sun.shadow.intensity = clear ? SHADOW.glass : SHADOW.wood;
+    this.stale = true;
+  }
+
   /** Takes over the shown poses; `change` is the largest of them. Whether the picture changes. */
   follow(bodies: Bodies, change: number): boolean {
     if (!this.mesh || !this.occlusion) return false;
@@ -127,11 +160,10 @@ export class View {
     if (moved) {
       const matrix = new Matrix4();
       for (let body = 0; body < bodies.count; body++) {
-        matrix.compose(bodies.position(body), bodies.turn(body), bodies.size(body).divide(this.nominal));
-        this.mesh.setMatrixAt(body, matrix);
+        this.mesh.setMatrixAt(body, bodies.matrix(body, bodies.size(body).divide(this.nominal), matrix));
       }
       this.mesh.instanceMatrix.needsUpdate = true;
-      this.occlusion.update(bodies);
+      this.occlusion.update(bodies, this.clear ? DENSE_GLASS : 1);
       this.renderer.shadowMap.needsUpdate = true;
     }
     this.stale = false;

@@ -3,7 +3,7 @@
 import { Device } from './device';
 import { Pace, Speedometer } from './pacing';
 import { FRAME, type FromWorker, type Question, type SceneEntry, type ToWorker } from './protocol';
-import { Simulator, sceneText } from './simulator';
+import { Simulator, sceneText, type Step } from './simulator';
 import { trial } from './trial';
 import load, { sceneList } from './wasm/teeter_wasm.js';
 
@@ -19,9 +19,13 @@ let world = 0;
 let paused = false;
 let timer: number | null = null;
 let queued = false;
+/** Whether the springs are looked at. */
+let watched = false;
+/** The last step of the world. */
+let last: Step | null = null;
 const pace = new Pace(FRAME, MOST_DEBT);
 const speedometer = new Speedometer();
-const device = new Device(() => trial(seconds));
+const device = new Device(form => trial(form, seconds));
 
 // A message to oneself comes back at once but after the messages of the page: a hand is never starved, and no timer is clamped to 4 ms.
 const soon = new MessageChannel();
@@ -51,10 +55,16 @@ function schedule(): void {
 
 function step(simulator: Simulator): void {
   const before = seconds();
-  const { report, hand, handDone } = simulator.step();
+  last = simulator.step();
   const after = seconds();
-  speedometer.add(after, FRAME, after - before);
-  device.played(after - before, simulator.length, simulator.stiffness);
+  const cost = after - before;
+  speedometer.add(after, FRAME, cost);
+  device.played(cost, simulator.length, simulator.stiffness, simulator.form, simulator.springStiffness);
+  show(simulator, last);
+}
+
+function show(simulator: Simulator, { report, hand, handDone }: Step): void {
+  const lattices = simulator.lattices(watched);
   const poses = simulator.poses();
   send(
     {
@@ -71,8 +81,11 @@ function step(simulator: Simulator): void {
       quarantined: report.quarantined,
       factor: speedometer.factor(),
       capacity: speedometer.capacity(),
+      form: simulator.form,
+      springs: simulator.springStiffness,
+      lattices,
     },
-    [poses.buffer],
+    lattices ? [poses.buffer, lattices.buffer] : [poses.buffer],
   );
 }
 
@@ -87,20 +100,23 @@ function restart(): void {
 
 /** Builds the world that is asked for; where that fails the old one goes on. */
 function build(order: Extract<ToWorker, { type: 'build' }>): void {
-  const { source, sleep, stiffness } = order.setup;
+  const { source, sleep, stiffness, form, springs } = order.setup;
   let next: Simulator;
+  let chosen = false;
   try {
-    next = new Simulator(
-      sceneText(source, blocks => stiffness ?? device.choose(blocks)),
-      sleep,
-      memory,
-    );
+    const scene = sceneText(source, own => {
+      const wanted = { stiffness, form: form ?? own.form, springs: springs ?? own.springs };
+      chosen = wanted.form === null;
+      return { ...device.choose(own.blocks, wanted), springs: wanted.springs };
+    });
+    next = new Simulator(scene, sleep, memory);
   } catch (error) {
     send({ type: 'refused', world: order.world, message: text(error) });
     return;
   }
   simulator?.free();
   simulator = next;
+  last = null;
   world = order.world;
   device.begin();
   send({
@@ -109,6 +125,9 @@ function build(order: Extract<ToWorker, { type: 'build' }>): void {
     sizes: next.sizes(),
     poses: next.poses(),
     stiffness: { value: next.stiffness, chosen: stiffness === null },
+    form: { value: next.form, chosen },
+    springs: next.springStiffness,
+    place: next.place,
   });
   restart();
 }
@@ -130,6 +149,14 @@ function receive(message: ToWorker): void {
     case 'pause':
       paused = message.paused;
       restart();
+      break;
+    case 'form':
+      if (message.world === world) simulator?.become(message.form, message.springs);
+      break;
+    case 'watch':
+      watched = message.springs;
+      // While time stands still no frame would come to show them.
+      if (paused && simulator && last) show(simulator, { ...last, handDone: false });
       break;
     case 'ask':
       send({ type: 'answer', id: message.id, value: answer(message.question) });

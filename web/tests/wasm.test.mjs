@@ -154,3 +154,73 @@ test('a restored state goes on with the same bits', () => {
   simulation.step('');
   assert.notEqual(simulation.hash(), hashes[0]);
 });
+
+const lattices = simulation => {
+  const at = simulation.latticesPtr();
+  return new Float32Array(memory.buffer, at, simulation.form === 'lattice' ? 52 * simulation.length : 0);
+};
+
+test('blocks get springs and lose them where they are, and what cannot be is told in one line', () => {
+  const simulation = new Simulation(towerScene('{"rows": 6}'), '{"sleep": false}');
+  for (let i = 0; i < 60; i++) simulation.step('');
+  const before = poses(simulation).slice();
+  const largestWay = () => {
+    const now = poses(simulation);
+    return Math.max(...before.map((x, i) => (i % 7 < 3 ? Math.abs(now[i] - x) : 0)));
+  };
+  assert.deepEqual([simulation.form, simulation.springStiffness], ['rigid', undefined]);
+  simulation.setForm('{"form": "lattice"}');
+  assert.deepEqual([simulation.form, simulation.springStiffness], ['lattice', simulation.stiffness]);
+  for (let i = 0; i < 30; i++) simulation.step('');
+  assert.ok(largestWay() < 1e-4, `${largestWay()} m`);
+  assert.match(
+    message(() => simulation.setForm('{"form": "lattice", "springs": {"stiffness": 1}}')),
+    /springs.stiffness.* N\/m/,
+  );
+  assert.match(
+    message(() => simulation.setForm('{"form": "jelly"}')),
+    /form/,
+  );
+  assert.equal(simulation.springStiffness, simulation.stiffness, 'a refused form leaves the world as it was');
+  simulation.setForm('{"form": "rigid"}');
+  for (let i = 0; i < 30; i++) simulation.step('');
+  assert.ok(largestWay() < 1e-4, `${largestWay()} m`);
+});
+
+test('particles lie in their block, and its springs carry what is above it', () => {
+  const simulation = new Simulation(towerScene('{"rows": 6}'), '{"sleep": false}');
+  assert.equal(lattices(simulation).length, 0);
+  simulation.setForm('{"form": "lattice", "springs": {"stiffness": 1e6}}');
+  for (let i = 0; i < 60; i++) simulation.step('');
+  const told = lattices(simulation);
+  assert.equal(told.length, 52 * 18);
+  const at = poses(simulation);
+  for (let body = 0; body < 18; body++) {
+    const centre = [0, 1, 2].map(k => Array.from({ length: 8 }, (_, i) => told[52 * body + 3 * i + k]).reduce((a, b) => a + b) / 8);
+    centre.forEach((x, k) => assert.ok(Math.abs(x - at[7 * body + k]) < 1e-6, `centre of block ${body}`));
+  }
+  // What the springs of a row press down with: the vertical part of each that joins a lower to an upper particle.
+  const load = row => {
+    let sum = 0;
+    for (let body = 3 * row; body < 3 * row + 3; body++) {
+      let n = 0;
+      for (let i = 0; i < 8; i++) {
+        for (let j = i + 1; j < 8; j++, n++) {
+          if (((i >> 2) & 1) === ((j >> 2) & 1)) continue;
+          const way = [0, 1, 2].map(k => told[52 * body + 3 * j + k] - told[52 * body + 3 * i + k]);
+          sum -= told[52 * body + 24 + n] * (Math.abs(way[2]) / Math.hypot(...way));
+        }
+      }
+    }
+    return sum;
+  };
+  const masses = JSON.parse(towerScene('{"rows": 6}')).blocks.map(block => block.mass);
+  // A particle is at 1/√3 of the way to a face, and by virtual work has so much more to bear than the face.
+  const lever = Math.sqrt(3);
+  for (let row = 0; row < 6; row++) {
+    // All rows above, and the upper half of the row itself.
+    const sum = part => part.reduce((a, b) => a + b, 0);
+    const weight = 9.81 * (sum(masses.slice(3 * row + 3)) + sum(masses.slice(3 * row, 3 * row + 3)) / 2);
+    assert.ok(Math.abs(load(row) / (lever * weight) - 1) < 0.01, `row ${row}: ${load(row)} N for ${weight} N`);
+  }
+});

@@ -18,10 +18,12 @@ const FLAGS = [
   '--disable-component-update',
   '--disable-sync',
 ];
-/** A fifth of the resolution, the cheapest tier; the device chooses the stiffness of contacts. */
+/** A fifth of the resolution, the cheapest tier; the device chooses the form of blocks and the stiffness of contacts. */
 export const MEASURED = 'help=0&view=small&scale=0.2';
 /** The page as most tests open it: the same bits on every machine. */
-export const SMALL = `${MEASURED}&stiffness=1e6`;
+export const SMALL = `${MEASURED}&form=rigid&stiffness=1e6`;
+/** The same with springs inside the blocks, as stiff as their contacts. */
+export const SPRUNG = `${MEASURED}&form=lattice&stiffness=1e6`;
 
 export class Session {
   readonly complaints: string[] = [];

@@ -107,9 +107,9 @@ test('the stiffness that the page chose is shown, and is all that the choice mea
   const open = async (query: string) => {
     await using session = await Session.open(chrome, `${MEASURED}&${SIX_ROWS}${query}`);
     const { page } = session;
-    const stiffness = await page.evaluate(() => window.teeter.stiffness);
+    const { stiffness, form } = await page.evaluate(() => ({ stiffness: window.teeter.stiffness, form: window.teeter.form.value }));
     const [shown, selected] = [await page.textContent('#stiffness-value'), await page.inputValue('#stiffness')];
-    const told = { stiffness, shown, selected, states: await states(session, 2) };
+    const told = { stiffness, form, shown, selected, states: await states(session, 2) };
     expect(session.complaints).toEqual([]);
     return told;
   };
@@ -118,8 +118,9 @@ test('the stiffness that the page chose is shown, and is all that the choice mea
   expect(STIFFNESSES).toContain(value);
   expect(own).toMatchObject({ stiffness: { chosen: true }, shown: `${value / 1000} N/mm, chosen for this device.`, selected: '' });
   for (const stiffness of STIFFNESSES) {
-    const named = await open(`&stiffness=${stiffness}`);
+    const named = await open(`&form=${own.form}&stiffness=${stiffness}`);
     expect(named).toMatchObject({
+      form: own.form,
       stiffness: { value: stiffness, chosen: false },
       shown: '',
       selected: String(stiffness),
@@ -140,11 +141,26 @@ const slower = (times: number) => (page: Page) =>
   });
 
 test.each([
+  [40, 3e5, 'rigid', 'Rigid'],
+  [0.03, 3e6, 'lattice', 'Springs inside'],
+] as const)('a device that is %f times as slow gets contacts of %f N/m and %s blocks', async (times, expected, form, words) => {
+  await using session = await Session.open(chrome, `${MEASURED}&render=once`, { before: slower(times) });
+  const { page } = session;
+  expect(await page.evaluate(() => window.teeter.stiffness)).toEqual({ value: expected, chosen: true });
+  expect(await page.evaluate(() => window.teeter.form)).toEqual({ value: form, chosen: true });
+  expect(await page.textContent('#form-value')).toBe(`${words}, chosen for this device.`);
+  expect(await page.inputValue('#form')).toBe('');
+  expect(session.complaints).toEqual([]);
+});
+
+test.each([
   [40, 3e5],
   [0.1, 3e6],
-])('a device that is %f times as slow gets contacts of %f N/m', async (times, expected) => {
-  await using session = await Session.open(chrome, `${MEASURED}&render=once`, { before: slower(times) });
+])('a device that is %f times as slow gets contacts of %f N/m with rigid blocks that the address names', async (times, expected) => {
+  await using session = await Session.open(chrome, `${MEASURED}&form=rigid&render=once`, { before: slower(times) });
   expect(await session.page.evaluate(() => window.teeter.stiffness)).toEqual({ value: expected, chosen: true });
+  expect(await session.page.evaluate(() => window.teeter.form)).toEqual({ value: 'rigid', chosen: false });
+  expect(await session.page.textContent('#form-value')).toBe('');
   expect(session.complaints).toEqual([]);
 });
 
@@ -447,10 +463,11 @@ test.each([
   const phone = width < 1000;
   await using session = await Session.open(chrome, SMALL, { viewport: { width, height }, hasTouch: phone, isMobile: phone });
   const { page } = session;
-  const faults = () =>
-    page.evaluate(() => {
+  const faults = (carrying = false) =>
+    page.evaluate(carrying => {
       const found: string[] = [];
-      const shown = [...document.querySelectorAll<HTMLElement>('#title, #readouts, #tools, #panel, #carrying')].filter(
+      if (carrying) document.getElementById('carrying')!.hidden = false;
+      const shown = [...document.querySelectorAll<HTMLElement>('#title, #legend, #readouts, #tools, #panel, #carrying')].filter(
         e => e.offsetParent !== null || getComputedStyle(e).position === 'fixed',
       );
       const boxes = shown.filter(e => !e.hidden).map(e => ({ name: e.id, box: e.getBoundingClientRect() }));
@@ -474,10 +491,18 @@ test.each([
       if (document.documentElement.scrollWidth > innerWidth || document.documentElement.scrollHeight > innerHeight)
         found.push('the page scrolls');
       return found;
-    });
+    }, carrying);
   expect(await faults()).toEqual([]);
   await page.click('#settings');
   expect(await faults()).toEqual([]);
+  await page.selectOption('#form', 'lattice');
+  await page.waitForSelector('#springs-fields:not([hidden])');
+  expect(await faults(), 'with the dial of the springs').toEqual([]);
+  await page.click('#panel-close');
+  await page.click('#springs-toggle');
+  await page.waitForSelector('#scale:not([hidden])');
+  expect(await faults(), 'with the legend of the springs').toEqual([]);
+  expect(await faults(true), 'with a block in the hand').toEqual([]);
 });
 
 test('controls: a new seed, fewer rows, another scene, reset', async () => {

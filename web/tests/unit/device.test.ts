@@ -1,8 +1,9 @@
-// The stiffness of contacts that a device holds: slower devices and larger towers never get stiffer ones, and what play shows is believed.
+// The form of blocks and the stiffness of contacts that a device holds: slower devices and larger towers never get stiffer ones nor springs
+// where faster and smaller ones get none, and what play shows is believed.
 
 import { expect, test } from 'vitest';
-import { Device, load, measure, STIFFNESSES, stiffest, TRIAL } from '../../src/device';
-import { FRAME } from '../../src/protocol';
+import { Device, LEAST_WITH_SPRINGS, load, measure, measureForm, STIFFNESSES, stiffest, TRIAL } from '../../src/device';
+import { FRAME, type Form } from '../../src/protocol';
 
 /** A clock that only steps move, and shows whole ticks, s. */
 class Clock {
@@ -93,32 +94,107 @@ test('a clock of coarse ticks gives nearly the same cost', () => {
   }
 });
 
-test('a device is measured once, and only when it is asked', () => {
-  let trials = 0;
-  const device = new Device(() => {
-    trials += 1;
+/** The stiffness chosen for a tower of rigid blocks, N/m. */
+const rigid = (device: Device, blocks: number) => device.choose(blocks, { form: 'rigid', stiffness: null, springs: null }).stiffness;
+
+test('a device is measured once with each form, and only when it is asked', () => {
+  const trials: Form[] = [];
+  const device = new Device(form => {
+    trials.push(form);
     return 0.003;
   });
-  expect(trials).toBe(0);
-  expect([device.choose(54), device.choose(120), device.choose(18)]).toEqual([1e6, 3e5, 3e6]);
-  expect(trials).toBe(1);
+  expect(trials).toEqual([]);
+  expect([rigid(device, 54), rigid(device, 120), rigid(device, 18)]).toEqual([1e6, 3e5, 3e6]);
+  expect(trials).toEqual(['rigid']);
+  device.choose(54);
+  device.choose(18);
+  expect(trials).toEqual(['rigid', 'lattice']);
+  device.choose(54, { form: 'lattice', stiffness: 1e6, springs: null });
+  expect(trials, 'what is named needs no trial').toEqual(['rigid', 'lattice']);
+});
+
+test('a device that holds springs is not measured with rigid blocks', () => {
+  const trials: Form[] = [];
+  const device = new Device(form => {
+    trials.push(form);
+    return 0.002;
+  });
+  expect(device.choose(54)).toEqual({ form: 'lattice', stiffness: 3e6 });
+  expect(trials).toEqual(['lattice']);
+});
+
+/** A device on which a frame costs so much with rigid blocks, and seven times as much with springs. */
+const sprung = (cost: number) => new Device(form => (form === 'lattice' ? 7 : 1) * cost);
+
+test('blocks have springs inside where the device holds them, and are rigid on slower devices and in larger towers', () => {
+  for (const blocks of BLOCKS) {
+    const forms = COSTS.map(cost => sprung(cost).choose(blocks).form);
+    expect(forms, `${blocks} blocks`).toEqual([...forms].sort());
+  }
+  expect(sprung(1e-4).choose(54)).toEqual({ form: 'lattice', stiffness: 3e6 });
+  expect(sprung(8e-4).choose(54)).toEqual({ form: 'lattice', stiffness: 1e6 });
+  expect(sprung(1e-3).choose(54)).toEqual({ form: 'rigid', stiffness: 3e6 });
+  expect(sprung(1e-3).choose(18).form).toBe('lattice');
+  expect(sprung(NaN).choose(54)).toEqual({ form: 'rigid', stiffness: STIFFNESSES[0] });
+});
+
+test('springs are chosen only with contacts that tell loose from tight, and leave a frame of twice the cost of the trial in real time', () => {
+  for (const cost of COSTS) {
+    const { form, stiffness } = sprung(cost).choose(54);
+    if (form === 'rigid') continue;
+    expect(stiffness).toBeGreaterThanOrEqual(LEAST_WITH_SPRINGS);
+    expect(2 * 7 * cost * load(54, stiffness, stiffness)).toBeLessThan(FRAME);
+  }
+});
+
+test('what is named is kept, and the rest is chosen for it', () => {
+  const slow = sprung(5e-3);
+  expect(slow.choose(54, { form: 'lattice', stiffness: null, springs: null })).toEqual({ form: 'lattice', stiffness: 3e5 });
+  expect(slow.choose(54, { form: null, stiffness: 3e6, springs: null })).toEqual({ form: 'rigid', stiffness: 3e6 });
+  const fair = sprung(8e-4);
+  expect(fair.choose(54, { form: null, stiffness: 1e6, springs: null }).form).toBe('lattice');
+  expect(fair.choose(54, { form: null, stiffness: 3e6, springs: null }).form).toBe('rigid');
+  expect(fair.choose(54, { form: null, stiffness: null, springs: 3e7 }).form, 'springs that take a shorter substep').toBe('rigid');
+  expect(fair.choose(54, { form: null, stiffness: null, springs: 1e3 }).form).toBe('lattice');
+});
+
+test('soft springs leave the substep to the contacts, stiff ones bound it', () => {
+  expect(load(54, 1e6, 1e6)).toBe(load(54, 1e6));
+  expect(load(54, 1e6, 1e3)).toBe(load(54, 1e6, 1e5));
+  expect(load(54, 1e6, 1e3)).toBeLessThan(load(54, 1e6));
+  expect(load(54, 1e6, 1e8)).toBeCloseTo(10, 9);
+});
+
+test('springs that a device will never hold are not measured for long', () => {
+  const took = (form: Form) => {
+    const clock = new Clock();
+    const cost = measureForm(
+      form,
+      clock.step(() => 0.1),
+      clock.now,
+    );
+    expect(cost).toBeCloseTo(0.1, 9);
+    return clock.time;
+  };
+  expect(took('lattice')).toBeLessThan(0.35);
+  expect(took('rigid')).toBeGreaterThan(0.9);
 });
 
 /** Seconds of play of 60 steps that take as long as `cost` says. */
-function play(device: Device, seconds: number, stiffness: number, cost: (step: number) => number): void {
+function play(device: Device, seconds: number, stiffness: number, cost: (step: number) => number, form: Form = 'rigid'): void {
   device.begin();
-  for (let i = 0; i < 60 * seconds; i++) device.played(cost(i), 54, stiffness);
+  for (let i = 0; i < 60 * seconds; i++) device.played(cost(i), 54, stiffness, form, form === 'lattice' ? stiffness : null);
 }
 
 test('where play falls behind, the next tower gets softer contacts, down to the softest', () => {
   const device = new Device(() => 1e-3);
-  expect(device.choose(54)).toBe(3e6);
+  expect(rigid(device, 54)).toBe(3e6);
   play(device, 2, 3e6, () => 1.1 * FRAME);
-  expect(device.choose(54)).toBe(1e6);
+  expect(rigid(device, 54)).toBe(1e6);
   play(device, 2, 1e6, () => 1.1 * FRAME);
-  expect(device.choose(54)).toBe(3e5);
+  expect(rigid(device, 54)).toBe(3e5);
   play(device, 2, 3e5, () => 5 * FRAME);
-  expect(device.choose(54)).toBe(3e5);
+  expect(rigid(device, 54)).toBe(3e5);
 });
 
 test('play that keeps up, a hiccup, or half a second of slowness change nothing', () => {
@@ -126,5 +202,14 @@ test('play that keeps up, a hiccup, or half a second of slowness change nothing'
   play(device, 20, 3e6, () => 0.95 * FRAME);
   play(device, 5, 3e6, step => (step % 10 === 0 ? 3 : 0.002));
   for (let i = 0; i < 5; i++) play(device, 0.5, 3e6, () => 2 * FRAME);
-  expect(device.choose(54)).toBe(3e6);
+  expect(rigid(device, 54)).toBe(3e6);
+});
+
+test('where play with springs falls behind, the next tower is rigid, as stiff as before', () => {
+  const device = sprung(3e-4);
+  expect(device.choose(54)).toEqual({ form: 'lattice', stiffness: 3e6 });
+  play(device, 2, 3e6, () => 1.1 * FRAME, 'lattice');
+  expect(device.choose(54)).toEqual({ form: 'lattice', stiffness: 1e6 });
+  play(device, 2, 1e6, () => 1.1 * FRAME, 'lattice');
+  expect(device.choose(54)).toEqual({ form: 'rigid', stiffness: 3e6 });
 });

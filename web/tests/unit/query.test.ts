@@ -13,6 +13,8 @@ test('an empty address gives the full tower', () => {
     cap: 4,
     render: 'always',
     stiffness: null,
+    form: null,
+    springs: null,
     scale: 1,
     tier: null,
     help: true,
@@ -24,6 +26,14 @@ test('a stiffness that the address names is kept in range, and one that makes no
   expect(readOptions('?stiffness=1').stiffness).toBe(1e4);
   expect(readOptions('?stiffness=1e12').stiffness).toBe(1e8);
   for (const text of ['', '=', '=hard', '=NaN']) expect(readOptions(`?stiffness${text}`).stiffness).toBeNull();
+});
+
+test('a form and a stiffness of springs that the address names are taken, and nonsense leaves the choice open', () => {
+  expect(readOptions('?form=rigid').form).toBe('rigid');
+  expect(readOptions('?form=lattice&springs=1e3')).toMatchObject({ form: 'lattice', springs: 1e3 });
+  expect(readOptions('?springs=1').springs).toBe(1e3);
+  expect(readOptions('?springs=1e12').springs).toBe(1e8);
+  expect(readOptions('?form=jelly&springs=soft')).toMatchObject({ form: null, springs: null });
 });
 
 test('options are read and kept in range', () => {

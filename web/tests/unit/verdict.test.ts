@@ -1,8 +1,12 @@
 // Standing, moving, fallen: told from poses, and what the player does with a block in the hand is no fall.
 
+import { Vector3 } from 'three';
 import { expect, test } from 'vitest';
+import type { Bodies } from '../../src/bodies';
+import { LATTICE_STRIDE, PARTICLES } from '../../src/lattice';
+import { squash } from '../../src/squash';
 import { Verdict } from '../../src/verdict';
-import { tower } from './towers';
+import { SIZE, tower } from './towers';
 
 test('a block that comes down by itself has fallen, and stays fallen', () => {
   const bodies = tower(['xxx', 'xxx']);
@@ -28,4 +32,34 @@ test('a block put on the table by the hand is no fall, others that fall with it 
   expect(verdict.judge(poses, 4, 0, null)).toBe('standing');
   poses[3 * 7 + 2] = 0.009;
   expect(verdict.judge(poses, 4.1, 0, null)).toBe('fallen');
+});
+
+/** The particles of blocks whose height is that part of what it was. */
+function squashed(bodies: Bodies, part: number): Float32Array {
+  const lattices = new Float32Array(LATTICE_STRIDE * bodies.count);
+  for (let body = 0; body < bodies.count; body++) {
+    for (let i = 0; i < PARTICLES; i++) {
+      const side = new Vector3(...([0, 1, 2] as const).map(k => ((i >> k) & 1 ? 0.5 : -0.5) / Math.sqrt(3)));
+      const place = side.multiply(bodies.size(body)).multiply(new Vector3(1, 1, part));
+      bodies.toWorld(body, place, bodies.newest).toArray(lattices, LATTICE_STRIDE * body + 3 * i);
+    }
+  }
+  return lattices;
+}
+
+test('a tower of soft blocks that sinks has not fallen, and a block that falls from it has', () => {
+  const bodies = tower(Array.from({ length: 18 }, () => 'xxx'));
+  const verdict = new Verdict(bodies.newest);
+  expect(squash(bodies, verdict.heights)).toBeNull();
+  const poses = bodies.newest.map((x, i) => (i % 7 === 2 ? 0.9 * x : x));
+  bodies.arrive(poses);
+  bodies.arrive(poses, squashed(bodies, 0.9));
+  const sunk = squash(bodies, verdict.heights)!;
+  expect(sunk[53], 'of the top row, m').toBeCloseTo(0.1 * 17.5 * SIZE.z, 5);
+  expect(sunk[0], 'of the lowest, m').toBeCloseTo(0.05 * SIZE.z, 5);
+  expect(verdict.judge(poses, 1, 0, null, sunk)).toBe('standing');
+  const down = poses.slice();
+  down[53 * 7 + 2] -= 0.006;
+  expect(verdict.judge(down, 1.1, 0, null, sunk)).toBe('fallen');
+  expect(verdict.count).toBe(1);
 });

@@ -1,0 +1,111 @@
+// What follows from particles: the strain of a block, whatever its place and turn, and the picture between two states.
+
+import { Quaternion, Vector3 } from 'three';
+import { expect, test } from 'vitest';
+import { Bodies } from '../../src/bodies';
+import { pick } from '../../src/boxes';
+import { ENDS, farthest, greatest, LATTICE_STRIDE, Lattices, PARTICLES, SPRINGS, strains, unstrained } from '../../src/lattice';
+import { SIZE } from './towers';
+
+const PLACE = 1 / Math.sqrt(3);
+const AT = new Vector3(0.02, -0.03, 0.2);
+const TURN = new Quaternion(0.3, -0.2, 0.5, 0.7).normalize();
+const POSE = Float32Array.from([...AT.toArray(), ...TURN.toArray()]);
+const SIZES = Float32Array.from(SIZE.toArray());
+
+/** The particles of a block at AT with TURN whose places `strain` has moved in its frame, and no forces. */
+function particles(strain: (p: Vector3) => Vector3): Float32Array {
+  const lattice = new Float32Array(LATTICE_STRIDE);
+  for (let i = 0; i < PARTICLES; i++) {
+    const side = new Vector3(...([0, 1, 2] as const).map(k => ((i >> k) & 1 ? 1 : -1)));
+    const place = side.multiply(SIZE).multiplyScalar(PLACE / 2);
+    strain(place)
+      .applyQuaternion(TURN)
+      .add(AT)
+      .toArray(lattice, 3 * i);
+  }
+  return lattice;
+}
+
+const SQUASHED = (p: Vector3) => new Vector3(1.02 * p.x + 0.1 * p.z, 1.05 * p.y, 0.8 * p.z);
+
+test('28 springs join 8 particles, each pair once', () => {
+  expect(ENDS.length).toBe(SPRINGS);
+  expect(new Set(ENDS.map(([i, j]) => 8 * i + j)).size).toBe(SPRINGS);
+  expect(ENDS[0]).toEqual([0, 1]);
+  expect(ENDS[27]).toEqual([6, 7]);
+  for (const [i, j] of ENDS) expect(i).toBeLessThan(j);
+});
+
+test('the strain is found in the frame of the block, whatever its place and turn', () => {
+  const none = strains(
+    particles(p => p),
+    POSE,
+    SIZES,
+    PLACE,
+  );
+  unstrained(1).forEach((one, n) => expect(none[n], `number ${n}`).toBeCloseTo(one, 5));
+  const found = strains(particles(SQUASHED), POSE, SIZES, PLACE);
+  [1.02, 0, 0, 0, 1.05, 0, 0.1, 0, 0.8].forEach((value, n) => expect(found[n], `number ${n}`).toBeCloseTo(value, 5));
+});
+
+test('the way of a corner along the axis on which it is moved farthest, and nothing where there is none', () => {
+  expect(farthest(unstrained(2), [...SIZES, ...SIZES])).toBe(0);
+  const strain = strains(particles(SQUASHED), POSE, SIZES, PLACE);
+  expect(farthest(strain, SIZES)).toBeCloseTo(0.2 * 0.009, 6);
+});
+
+test('the surface of a block is that of its particles, and the hand holds it by its pose', () => {
+  const bodies = new Bodies(SIZES, POSE, PLACE);
+  expect(bodies.strained).toBe(false);
+  for (let i = 0; i < 2; i++) bodies.arrive(POSE, particles(SQUASHED));
+  bodies.blend(1);
+  expect(bodies.strained).toBe(true);
+  const corner = SIZE.clone().multiplyScalar(0.5);
+  const wanted = SQUASHED(corner).applyQuaternion(TURN).add(AT);
+  expect(bodies.surface(0, corner).distanceTo(wanted)).toBeLessThan(1e-7);
+  expect(bodies.toWorld(0, corner).distanceTo(corner.clone().applyQuaternion(TURN).add(AT))).toBeLessThan(1e-7);
+  const edges = bodies.edges(0);
+  expect(edges.x).toBeCloseTo(1.02 * SIZE.x, 6);
+  expect(edges.z).toBeCloseTo(Math.hypot(0.1, 0.8) * SIZE.z, 6);
+  const up = new Vector3(0, 0, 1).applyQuaternion(TURN);
+  expect(bodies.halfExtent(0, up)).toBeCloseTo(0.4 * SIZE.z, 6);
+  expect(bodies.halfExtent(0, up, bodies.newest)).toBeCloseTo(0.4 * SIZE.z, 6);
+  expect(bodies.halfExtentUnstrained(0, up)).toBeCloseTo(0.5 * SIZE.z, 6);
+});
+
+test('a ray meets the squashed top where it is, and the hand is told where that is in the pose', () => {
+  const bodies = new Bodies(SIZES, POSE, PLACE);
+  for (let i = 0; i < 2; i++) bodies.arrive(POSE, particles(SQUASHED));
+  bodies.blend(1);
+  const up = new Vector3(0, 0, 1).applyQuaternion(TURN);
+  const hit = pick(bodies, AT.clone().addScaledVector(up, 0.3), up.clone().negate())!;
+  expect(hit.distance).toBeCloseTo(0.3 - 0.4 * SIZE.z, 6);
+  expect(hit.normal.angleTo(up), 'a shear along the top leaves it level').toBeLessThan(1e-6);
+  expect(bodies.toWorld(0, hit.anchor).distanceTo(hit.point)).toBeLessThan(1e-7);
+  expect(hit.anchor.z).toBeCloseTo(0.4 * SIZE.z, 6);
+  expect(pick(bodies, AT.clone().addScaledVector(up, 0.3), up)).toBeNull();
+});
+
+test('the picture is between two states, and springs that go away go at once', () => {
+  const lattices = new Lattices();
+  expect(lattices.blend(0.5)).toBe(false);
+  const [a, b] = [particles(p => p), particles(p => p)];
+  b[24] = 2;
+  lattices.arrive(a);
+  expect(lattices.blend(1)).toBe(true);
+  expect(lattices.blend(1), 'the same state again').toBe(false);
+  lattices.arrive(b);
+  expect(lattices.blend(0.25)).toBe(true);
+  expect(lattices.shown![24]).toBeCloseTo(0.5, 6);
+  expect(greatest(lattices.shown!)).toBeCloseTo(0.5, 6);
+  lattices.arrive(null);
+  expect(lattices.blend(0.25)).toBe(true);
+  expect(lattices.shown).toBeNull();
+});
+
+test('the greatest force is of a spring, never a place', () => {
+  const lattice = particles(p => p.multiplyScalar(100));
+  lattice[LATTICE_STRIDE - 1] = -0.3;
+  expect(greatest(lattice)).toBeCloseTo(0.3, 6);
+});
