@@ -27,15 +27,18 @@ pub struct Extraction {
     pub force_n: f64,
 }
 
-/// Takes `body` out of a settled world along `axis` (unit vector, level) at `speed` (m/s), as a hand does it: it holds the end of the block at the height
-/// where it is, keeps it level and straight, and has the force of a careful hand.
+/// Takes `body` out of a settled world along `axis` (unit vector) at `speed` (m/s), as a hand does it: it holds the end of the block and draws it along its own
+/// length, which leans with the tower, keeps it as it lies, and has the force of a careful hand. Drawn level instead, a block is lifted against what lies above it.
 pub fn extract(settled: &World, body: u32, axis: DVec3, speed: f64) -> Extraction {
     let mut world = settled.clone();
     let pose = &settled.poses()[7 * body as usize..];
     let (center, turn) = (DVec3::from_slice(pose), DQuat::from_slice(&pose[3..]));
     let size = settled.size(body);
+    // the face whose normal is nearest to the axis
     let end = turn.inverse() * axis;
-    // the middle of the face that points along the axis
+    let end =
+        DVec3::from(std::array::from_fn::<f64, 3, _>(|k| if end[k].abs() == end.abs().max_element() { end[k].signum() } else { 0.0 }));
+    let axis = turn * end;
     let anchor = end * (0.5 * size.dot(end.abs()));
     let from = center + turn * anchor;
     let length = size.dot(end.abs()) + BEYOND;

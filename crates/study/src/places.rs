@@ -42,6 +42,11 @@ impl Places {
         self.moves(world).enumerate().any(|(i, (moved, dropped))| i != body as usize && has_fallen(moved, dropped))
     }
 
+    /// Whether any block has come down by more than [`FELL_DROPPED`].
+    pub fn any_dropped(&self, world: &World) -> bool {
+        self.moves(world).any(|(_, dropped)| has_fallen(0.0, dropped))
+    }
+
     /// Marks the blocks that have fallen.
     pub fn mark_fallen(&self, world: &World, fallen: &mut [bool]) {
         for (mark, (moved, dropped)) in fallen.iter_mut().zip(self.moves(world)) {

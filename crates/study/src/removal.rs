@@ -19,8 +19,11 @@ const WATCHED: f64 = 5.0;
 pub struct Removal {
     /// Id of the block.
     pub id: u32,
-    /// Whether another block fell.
+    /// Whether the tower fell: a block came down by more than 3 mm, or went by more than 5 mm once the tower had settled. A tower may lean by more than that while it
+    /// settles, and stand.
     pub fell: bool,
+    /// Furthest that any block was at the end from where it was built, mm.
+    pub lean_mm: f64,
     /// Whether rigid blocks would; none where the programme was not solved.
     pub exact_fell: Option<bool>,
     /// Furthest that any block was at the end from where it was at 2 s, mm, where it stands.
@@ -55,14 +58,16 @@ pub fn remove(scene: &Scene, block: usize, params: Params) -> Result<Removal, Bu
     let start = Places::of(&world);
     let (mut fell, mut settled) = (false, start.clone());
     for i in 1..=frames(&world, WATCHED) {
-        fell |= !world.step(&Input::default()).quarantined.is_empty() || start.any_fallen(&world);
-        if fell {
-            break;
-        }
+        fell |= !world.step(&Input::default()).quarantined.is_empty() || start.any_dropped(&world);
         if i == frames(&world, SETTLE) {
             settled = Places::of(&world);
         }
+        fell |= i > frames(&world, SETTLE) && settled.any_fallen(&world);
+        if fell {
+            break;
+        }
     }
     let creep_mm = if fell { 0.0 } else { 1e3 * settled.furthest(&world) };
-    Ok(Removal { id: scene.blocks[block].id, fell, exact_fell, creep_mm })
+    let lean_mm = 1e3 * start.furthest(&world);
+    Ok(Removal { id: scene.blocks[block].id, fell, lean_mm, exact_fell, creep_mm })
 }

@@ -117,6 +117,9 @@ pub fn section(sheet: &Sheet, _size: &Size) -> Result<Section, Fault> {
         "Heights, masses, friction and pulls from a data sheet. The tower is built from them at 3e6 N/m, and each block is pulled both ways; a reading counts as met where it is within the error of the balance, \
          or 15 % of the force, of one of the two.",
     );
+    if sheet.pulls.iter().all(Option::is_none) {
+        return Err("the data sheet has no pulls to compare".into());
+    }
     let bar = output::progress(sheet.scene.blocks.len() as u64, "blocks pulled");
     let blocks = forces(&sheet.scene, params(), || bar.inc(1)).map_err(|e| Fault::at(&sheet.scene.name, e))?;
     bar.finish_and_clear();
@@ -146,9 +149,6 @@ pub fn section(sheet: &Sheet, _size: &Size) -> Result<Section, Fault> {
             newtons(block.backward_n),
             newtons(block.exact.map(|e| e.straight_n)),
         ]);
-    }
-    if rows.is_empty() {
-        return Err(Fault::Said("the data sheet has no pulls to compare".into()));
     }
     section.say("readings met", format!("{:.0} % of {}", percent(&met, |m| *m), met.len()));
     section.say("correlation of the forces", format!("{:.3}", correlation(&pairs)));
