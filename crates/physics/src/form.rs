@@ -73,9 +73,8 @@ pub trait Motion<L: Lanes> {
 pub struct Loading<'a> {
     /// Substep, s.
     pub h: f64,
-    /// Whether forces move it, and whether only its load acts.
+    /// Whether forces move it.
     pub moves: bool,
-    pub free: bool,
     /// Mass (kg) and principal moments of inertia (kg m²).
     pub mass: f64,
     pub inertia: DVec3,

@@ -184,7 +184,6 @@ impl Packing {
         let body = Loading {
             h: kernel.h,
             moves,
-            free: self.free[i],
             mass: shapes.mass[i],
             inertia: shapes.inertia[i],
             radius: shapes.radius[i],

@@ -103,12 +103,11 @@ impl<R: Real> Form<R> for Rigid<R> {
         self.radius.0[l] = R::from_f64(body.radius);
         self.travel_bound.0[l] = R::from_f64(body.reach);
         self.turn_bound.0[l] = R::from_f64(body.turn);
-        // one that flies does so in closed form
-        let driven = body.moves && !body.free;
-        let (force, torque) = if driven { (body.force, body.torque) } else { (DVec3::ZERO, DVec3::ZERO) };
+        // one that flies is moved by a parabola instead, but here it is seen to reach its bound
+        let (force, torque) = if body.moves { (body.force, body.torque) } else { (DVec3::ZERO, DVec3::ZERO) };
         load[0] = Row::of(force, torque + body.offset.cross(force));
-        self.ease.0[l] = R::from_f64(if driven { h * h / body.mass } else { 0.0 });
-        let tensor = if driven { world_tensor(body.orientation, h * h / body.inertia) } else { DMat3::ZERO };
+        self.ease.0[l] = R::from_f64(if body.moves { h * h / body.mass } else { 0.0 });
+        let tensor = if body.moves { world_tensor(body.orientation, h * h / body.inertia) } else { DMat3::ZERO };
         let (x, y, z) = (tensor.x_axis, tensor.y_axis, tensor.z_axis);
         put3(&mut self.turning_ease[0], l, DVec3::new(x.x, y.y, z.z));
         put3(&mut self.turning_ease[1], l, DVec3::new(x.y, x.z, y.z));

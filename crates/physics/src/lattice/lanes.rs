@@ -156,9 +156,8 @@ impl<R: Real> Form<R> for Lattice<R> {
             sum + outer(along, axes.col(k) / (8.0 * half[k]))
         });
         write_rows(velocity, center - change * body.offset, &change);
-        // the centre of one that flies does so in closed form
-        let driven = body.moves && !body.free;
-        let (force, torque) = if driven { (body.force, body.torque) } else { (DVec3::ZERO, DVec3::ZERO) };
+        // the centre of one that flies is moved by a parabola instead, but here it is seen to reach its bound
+        let (force, torque) = if body.moves { (body.force, body.torque) } else { (DVec3::ZERO, DVec3::ZERO) };
         write_rows(load, force, &(outer(force, body.offset) + whole_moment(torque, &edges)));
     }
 
