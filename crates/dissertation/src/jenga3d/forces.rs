@@ -2,8 +2,10 @@
 
 use glam::DVec3;
 
+use super::block::SPRINGS;
 use super::constants::Constants;
 use super::contact::Contact;
+use super::disable::Disabling;
 use super::friction;
 use super::hand::UserForce;
 use super::model::Model;
@@ -29,7 +31,9 @@ pub fn compute_forces(model: &Model, constants: &Constants, sources: &Sources, s
     if let Some(user) = sources.user {
         user.add(model, states);
     }
-    for spring in &model.springs {
+    // Disabled blocks take no step where they stay disabled, so nobody reads their forces; appendix 2.4 enables all after this.
+    let moving = model.blocks.iter().filter(|block| block.active || constants.disabling != Disabling::Rigid);
+    for spring in moving.flat_map(|block| &model.springs[block.springs as usize..][..SPRINGS]) {
         let (p1, p2) = (spring.p1 as usize, spring.p2 as usize);
         let force = spring.force(&states[p1], &states[p2]);
         states[p2].force += force; // Eq. 4.2b
