@@ -24,6 +24,8 @@ pub enum Command {
     Run(Run),
     /// Predict labelled towers: which fall, or at what tilt.
     Score(Score),
+    /// The 2003 dissertation: its simulators and results.
+    Dissertation(Dissertation),
 }
 
 #[derive(Debug, Args)]
@@ -174,6 +176,29 @@ pub struct Score {
     /// The summary as one JSON object on standard output; predictions then only go to --out.
     #[arg(long)]
     pub json: bool,
+}
+
+#[derive(Debug, Args)]
+#[command(arg_required_else_help = true, disable_help_subcommand = true)]
+pub struct Dissertation {
+    #[command(subcommand)]
+    pub command: DissertationCommand,
+}
+
+#[derive(Debug, Subcommand)]
+pub enum DissertationCommand {
+    /// Run its chapter of results again and write it as a page.
+    Report(ReportArgs),
+}
+
+#[derive(Debug, Args)]
+pub struct ReportArgs {
+    /// Folder for the page, index.html; made where there is none.
+    #[arg(long, value_name = "DIR")]
+    pub out: PathBuf,
+    /// Parts to run [default: all]; may be given several times.
+    #[arg(long, value_name = "PART", value_parser = crate::dissertation::part_names())]
+    pub only: Vec<String>,
 }
 
 #[derive(Debug, Args)]

@@ -1,6 +1,7 @@
 //! `teeter`: towers, experiments and the game, from a shell.
 
 mod args;
+mod dissertation;
 mod fault;
 mod input;
 mod labelled;
@@ -31,6 +32,7 @@ fn main() -> ExitCode {
         Command::Run(args) => run::main(args),
         Command::Score(args) => score::main(args),
         Command::Play(args) => play::main(args),
+        Command::Dissertation(args) => dissertation::main(args),
     };
     match done {
         // Whoever reads the output has seen enough: `teeter scene tower | head` is no fault.
