@@ -115,7 +115,7 @@ impl Game {
     fn take(&mut self, row: usize, place: usize, speed: f64) -> (usize, f64) {
         let block = self.places[row][place].take().expect("the moves take what is there");
         let start = self.tower.centre(block);
-        let along = if row % 2 == 0 { DVec3::X } else { DVec3::Y };
+        let along = if row.is_multiple_of(2) { DVec3::X } else { DVec3::Y };
         let length = BlockPreset::Dissertation.size()[0];
         self.held = Some((block, start));
         self.go(start + (length + 0.01) * along, speed, false);
@@ -131,7 +131,7 @@ impl Game {
         let top = self.tower.top(&|b| b != block);
         let [_, _, height] = BlockPreset::Dissertation.size();
         let aside = (place as f64 - 1.0) * BlockPreset::Dissertation.pitch();
-        let to = if row % 2 == 0 { DVec3::new(0.0, aside, 0.0) } else { DVec3::new(aside, 0.0, 0.0) };
+        let to = if row.is_multiple_of(2) { DVec3::new(0.0, aside, 0.0) } else { DVec3::new(aside, 0.0, 0.0) };
         // On a row that has begun, beside its blocks; on a full one, upon it.
         let begun = self.places.get(row).is_some_and(|r| r.iter().flatten().count() > 0);
         let support = if begun { top - height } else { top };

@@ -20,6 +20,30 @@ pub struct Answer {
     pub evidence: String,
 }
 
+/// What is asked: a column, and what its first six moves did, for the requirements that are about moves.
+pub struct Subject {
+    column: &'static Column,
+    moves: Vec<moves::Outcome>,
+    /// How deep any block was in another after any of the moves, m.
+    embedded: f64,
+}
+
+impl Subject {
+    /// Plays the moves.
+    pub fn new(column: &'static Column) -> Result<Self, Fault> {
+        let (mut outcomes, mut embedded) = (Vec::new(), 0.0f64);
+        moves::play(column, 6, |tower, outcome| {
+            embedded = embedded.max(deepest(tower));
+            outcomes.push(outcome);
+        })?;
+        Ok(Self { column, moves: outcomes, embedded })
+    }
+
+    fn build(&self, scene: &Scene) -> Result<Box<dyn Tower>, Fault> {
+        (self.column.build)(scene)
+    }
+}
+
 fn answer(met: bool, evidence: String) -> Result<Answer, Fault> {
     Ok(Answer { met, evidence })
 }
@@ -32,14 +56,14 @@ pub struct Requirement {
     /// What the dissertation says of itself.
     printed: &'static str,
     /// The experiment.
-    pub ask: fn(&Column) -> Result<Answer, Fault>,
+    pub ask: fn(&Subject) -> Result<Answer, Fault>,
 }
 
 const fn requirement(
     number: &'static str,
     text: &'static str,
     printed: &'static str,
-    ask: fn(&Column) -> Result<Answer, Fault>,
+    ask: fn(&Subject) -> Result<Answer, Fault>,
 ) -> Requirement {
     Requirement { number, text, printed, ask }
 }
@@ -65,15 +89,23 @@ pub const REQUIREMENTS: [Requirement; 16] = [
 ];
 
 /// Experiments.
-pub const STEPS: u64 = (REQUIREMENTS.len() * COLUMNS.len()) as u64;
+pub const STEPS: u64 = ((REQUIREMENTS.len() + 1) * COLUMNS.len()) as u64;
 
 /// Runs them.
 pub fn run(bar: &ProgressBar) -> Result<String, Fault> {
+    let subjects: Vec<Subject> = COLUMNS
+        .par_iter()
+        .map(|column| {
+            let subject = Subject::new(column);
+            bar.inc(1);
+            subject
+        })
+        .collect::<Result<_, _>>()?;
     let jobs: Vec<(usize, usize)> = (0..REQUIREMENTS.len()).flat_map(|r| (0..COLUMNS.len()).map(move |c| (r, c))).collect();
     let answers: Vec<Answer> = jobs
         .par_iter()
         .map(|&(r, c)| {
-            let answer = (REQUIREMENTS[r].ask)(&COLUMNS[c]);
+            let answer = (REQUIREMENTS[r].ask)(&subjects[c]);
             bar.inc(1);
             answer
         })
@@ -99,27 +131,20 @@ fn rows(rows: u32) -> Result<Scene, Fault> {
     tower(&TowerOptions { rows, ..TowerOptions::default() }).map_err(|e| Fault::Said(e.to_string()))
 }
 
-/// The outcomes of the first moves.
-fn first_moves(column: &Column, count: usize) -> Result<Vec<moves::Outcome>, Fault> {
-    let mut outcomes = Vec::new();
-    moves::play(column, count, |_, outcome| outcomes.push(outcome))?;
-    Ok(outcomes)
-}
-
-fn removes(column: &Column) -> Result<Answer, Fault> {
-    let outcome = first_moves(column, 1)?[0];
+fn removes(subject: &Subject) -> Result<Answer, Fault> {
+    let outcome = subject.moves[0];
     answer(outcome.stands && outcome.off < 0.02, format!("3-3 is out, {} mm from the hand", mm(outcome.off)))
 }
 
-fn places(column: &Column) -> Result<Answer, Fault> {
-    let outcome = first_moves(column, 2)?[1];
+fn places(subject: &Subject) -> Result<Answer, Fault> {
+    let outcome = subject.moves[1];
     answer(outcome.stands && outcome.off < 3e-3, format!("{} mm from its place", mm(outcome.off)))
 }
 
 /// A hand that goes twice as far moves a block in the air twice as far.
-fn analogue(column: &Column) -> Result<Answer, Fault> {
+fn analogue(subject: &Subject) -> Result<Answer, Fault> {
     let carried = |way: f64| {
-        let mut tower = (column.build)(&scene("block")?)?;
+        let mut tower = subject.build(&scene("block")?)?;
         tower.rest(30);
         let lifted = tower.centre(0) + 0.1 * DVec3::Z;
         let hold = |tower: &mut dyn Tower, target| (0..60).for_each(|_| tower.frame(Some(&Grasp { block: 0, target, carried: true })));
@@ -133,8 +158,8 @@ fn analogue(column: &Column) -> Result<Answer, Fault> {
 }
 
 /// Every block of a tower is under the middle of a pixel of some picture, as the camera goes round.
-fn all_sides(column: &Column) -> Result<Answer, Fault> {
-    let tower = (column.build)(&rows(6)?)?;
+fn all_sides(subject: &Subject) -> Result<Answer, Fault> {
+    let tower = subject.build(&rows(6)?)?;
     let mut seen = vec![false; tower.len()];
     for turn in 0..8 {
         let azimuth = f64::from(turn) * std::f64::consts::FRAC_PI_4 + 0.2;
@@ -171,8 +196,8 @@ fn frame(corners: &[DVec3; 8]) -> (DVec3, [f64; 3], [DVec3; 3]) {
 }
 
 /// How a block falls that a hand has let go.
-fn gravity(column: &Column) -> Result<Answer, Fault> {
-    let mut tower = (column.build)(&scene("block")?)?;
+fn gravity(subject: &Subject) -> Result<Answer, Fault> {
+    let mut tower = subject.build(&scene("block")?)?;
     tower.rest(30);
     let target = tower.centre(0) + 0.3 * DVec3::Z;
     for _ in 0..120 {
@@ -191,15 +216,15 @@ fn gravity(column: &Column) -> Result<Answer, Fault> {
 }
 
 /// A block that slides comes to rest after v² / (2 mu g), and one pushed below mu N does not creep.
-fn friction(column: &Column) -> Result<Answer, Fault> {
-    let mut tower = (column.build)(&scene("block")?)?;
+fn friction(subject: &Subject) -> Result<Answer, Fault> {
+    let mut tower = subject.build(&scene("block")?)?;
     tower.rest(60);
     let start = tower.centre(0).x;
     let speed = 0.4;
     tower.throw(0, speed * DVec3::X);
     tower.rest(60);
     let (slid, expected) = (tower.centre(0).x - start, speed * speed / (2.0 * 0.4 * 9.81));
-    let mut six = (column.build)(&rows(6)?)?;
+    let mut six = subject.build(&rows(6)?)?;
     six.rest(120);
     let before = six.centres();
     six.rest(120);
@@ -208,10 +233,10 @@ fn friction(column: &Column) -> Result<Answer, Fault> {
     answer(met, format!("slides {} mm for {}; six rows creep by {} mm in 2 s", mm(slid), mm(expected), mm(crept)))
 }
 
-fn statics_are(column: &Column, names: &[&str], stable: bool) -> Result<Answer, Fault> {
+fn statics_are(subject: &Subject, names: &[&str], stable: bool) -> Result<Answer, Fault> {
     let mut wrong = Vec::new();
     for name in names {
-        if statics::stands(column, name, |_| {})?.0 != stable {
+        if statics::stands(subject.column, name, |_| {})?.0 != stable {
             wrong.push(*name);
         }
     }
@@ -220,21 +245,21 @@ fn statics_are(column: &Column, names: &[&str], stable: bool) -> Result<Answer, 
     answer(wrong.is_empty(), format!("{right} of {} towers{but}", names.len()))
 }
 
-fn stays(column: &Column) -> Result<Answer, Fault> {
-    statics_are(column, &["test-1", "test-5", "test-6", "test-2-out"], true)
+fn stays(subject: &Subject) -> Result<Answer, Fault> {
+    statics_are(subject, &["test-1", "test-5", "test-6", "test-2-out"], true)
 }
 
-fn collapses(column: &Column) -> Result<Answer, Fault> {
-    statics_are(column, &["test-3", "test-4", "test-2-in"], false)
+fn collapses(subject: &Subject) -> Result<Answer, Fault> {
+    statics_are(subject, &["test-3", "test-4", "test-2-in"], false)
 }
 
-fn removal_disturbs(column: &Column) -> Result<Answer, Fault> {
-    let outcome = first_moves(column, 1)?[0];
+fn removal_disturbs(subject: &Subject) -> Result<Answer, Fault> {
+    let outcome = subject.moves[0];
     answer(outcome.stands && outcome.furthest < 1e-3, format!("taking loose 3-3 moves the others by {} mm at most", mm(outcome.furthest)))
 }
 
-fn placing_disturbs(column: &Column) -> Result<Answer, Fault> {
-    let outcome = first_moves(column, 2)?[1];
+fn placing_disturbs(subject: &Subject) -> Result<Answer, Fault> {
+    let outcome = subject.moves[1];
     answer(
         outcome.stands && outcome.furthest < 1e-3,
         format!("laying a block on top moves the others by {} mm at most", mm(outcome.furthest)),
@@ -242,11 +267,11 @@ fn placing_disturbs(column: &Column) -> Result<Answer, Fault> {
 }
 
 /// A block thrown down at another: by 17 cm a frame, nine times its height.
-fn no_passing(column: &Column) -> Result<Answer, Fault> {
+fn no_passing(subject: &Subject) -> Result<Answer, Fault> {
     let mut two = scene("column")?;
     two.blocks.truncate(2);
     two.blocks[1].pos[2] += 0.2;
-    let mut tower = (column.build)(&two)?;
+    let mut tower = subject.build(&two)?;
     tower.throw(1, -10.0 * DVec3::Z);
     let mut least = f64::INFINITY;
     for _ in 0..60 {
@@ -277,18 +302,16 @@ fn deepest(tower: &dyn Tower) -> f64 {
     deepest
 }
 
-fn no_embedding(column: &Column) -> Result<Answer, Fault> {
-    let mut most = 0.0f64;
-    moves::play(column, 6, |tower, _| most = most.max(deepest(tower)))?;
-    let mut full = (column.build)(&rows(18)?)?;
+fn no_embedding(subject: &Subject) -> Result<Answer, Fault> {
+    let mut full = subject.build(&rows(18)?)?;
     full.rest(60);
-    most = most.max(deepest(full.as_ref()));
+    let most = subject.embedded.max(deepest(full.as_ref()));
     answer(most < 2e-4, format!("{} mm at most, in six moves and in a full tower", mm(most)))
 }
 
 /// How far corners go from frame to frame in a tower at rest.
-fn no_jitter(column: &Column) -> Result<Answer, Fault> {
-    let mut tower = (column.build)(&rows(6)?)?;
+fn no_jitter(subject: &Subject) -> Result<Answer, Fault> {
+    let mut tower = subject.build(&rows(6)?)?;
     tower.rest(180);
     let mut most = 0.0f64;
     for _ in 0..60 {
@@ -303,8 +326,8 @@ fn no_jitter(column: &Column) -> Result<Answer, Fault> {
 }
 
 /// A hand that pulls a block hard to and fro through a tower, and rows that are let fall: all stays finite and above the floor.
-fn no_crash(column: &Column) -> Result<Answer, Fault> {
-    let mut tower = (column.build)(&rows(6)?)?;
+fn no_crash(subject: &Subject) -> Result<Answer, Fault> {
+    let mut tower = subject.build(&rows(6)?)?;
     tower.rest(15);
     for frame in 0..180 {
         let side = if frame / 20 % 2 == 0 { 0.3 } else { -0.3 };
@@ -317,16 +340,62 @@ fn no_crash(column: &Column) -> Result<Answer, Fault> {
     answer(lost == 0, format!("{lost} blocks lost when a hand shakes a tower for 3 s"))
 }
 
-fn real_time(column: &Column) -> Result<Answer, Fault> {
-    let rate = frame_rate::rate(column, 18)?;
+fn real_time(subject: &Subject) -> Result<Answer, Fault> {
+    let rate = frame_rate::rate(subject.column, 18)?;
     answer(rate >= 12.0, format!("{rate:.0} a second with 18 rows, each a sixtieth of a second"))
 }
 
 /// A whole move needs a block and a place for the hand in each frame, which is what a mouse gives.
-fn simple(column: &Column) -> Result<Answer, Fault> {
-    let outcomes = first_moves(column, 2)?;
+fn simple(subject: &Subject) -> Result<Answer, Fault> {
+    let outcomes = &subject.moves[..2];
     answer(
         outcomes.iter().all(|o| o.stands),
         "a move is made with one pointer and one modifier; whether it is intuitive no program can tell".into(),
     )
+}
+
+#[cfg(test)]
+mod tests {
+    use std::sync::LazyLock;
+
+    use super::*;
+
+    /// Played once for all tests.
+    static SUBJECTS: LazyLock<Vec<Subject>> =
+        LazyLock::new(|| COLUMNS.iter().map(|column| Subject::new(column).expect("the moves are played")).collect());
+
+    /// Which columns meet a requirement, and what each showed.
+    fn met(number: &str) -> Vec<(bool, String)> {
+        let requirement = REQUIREMENTS.iter().find(|r| r.number == number).expect("there is such a requirement");
+        let answers = SUBJECTS.iter().map(|subject| (requirement.ask)(subject).expect("the experiment runs"));
+        answers.map(|a| (a.met, a.evidence)).collect()
+    }
+
+    macro_rules! requirement {
+        ($name:ident, $number:literal, $expected:expr) => {
+            #[test]
+            fn $name() {
+                let answers = met($number);
+                assert_eq!(answers.iter().map(|a| a.0).collect::<Vec<_>>(), $expected, "{answers:?}");
+            }
+        };
+    }
+
+    // Of the 2003 method, the same with its future work, and rigid blocks.
+    requirement!(r_1_1_remove_a_block, "1.1", [true, true, true]);
+    requirement!(r_1_2_place_a_block, "1.2", [true, true, true]);
+    requirement!(r_1_3_analogue_input, "1.3", [true, true, true]);
+    requirement!(r_1_4_all_sides_in_view, "1.4", [true, true, true]);
+    requirement!(r_2_1_gravity, "2.1", [true, true, true]);
+    requirement!(r_2_2_friction, "2.2", [false, true, true]);
+    requirement!(r_2_3_stays_up, "2.3", [false, false, true]);
+    requirement!(r_2_4_collapses, "2.4", [true, true, true]);
+    requirement!(r_2_5_removal, "2.5", [false, false, true]);
+    requirement!(r_2_6_placing, "2.6", [true, true, true]);
+    requirement!(r_2_7_no_passing, "2.7", [true, true, true]);
+    requirement!(r_2_8_no_embedding, "2.8", [false, false, true]);
+    requirement!(r_2_9_no_jitter, "2.9", [false, true, true]);
+    requirement!(r_3_1_no_crash, "3.1", [true, true, true]);
+    requirement!(r_3_2_real_time, "3.2", [true, true, true]);
+    requirement!(r_3_3_simple, "3.3", [true, true, true]);
 }
