@@ -14,7 +14,7 @@ const ROWS: [u32; 10] = [1, 2, 3, 5, 6, 7, 9, 12, 15, 18];
 /// Experiments.
 pub const STEPS: u64 = (ROWS.len() * COLUMNS.len()) as u64;
 
-/// Frames that settle before those that are timed, and frames that are timed: in the second half of a second all that is in the tower moves.
+/// Frames that settle before those that are timed, and frames that are timed: before anything has been still for long enough to sleep.
 const FRAMES: (u32, u32) = (15, 30);
 
 /// Frames a second of one core, each a sixtieth of a second of simulated time.
@@ -64,7 +64,7 @@ pub fn run(bar: &ProgressBar) -> Result<String, Fault> {
     let chart = chart(&lines, "rows", "frames a second", &[(12.0, "12: least"), (60.0, "60: real time")]);
     Ok(format!(
         "<p>The dissertation's graph has one figure in the text: seven rows at 12 frames a second, the least that counts as real time. Here a frame is a \
-         sixtieth of a second of simulated time, so 60 frames a second are real time and fewer are slow motion; all blocks are awake.</p>{chart}{}",
+         sixtieth of a second of simulated time, so 60 frames a second are real time and fewer are slow motion. Timed from a quarter to three quarters of a second after the start.</p>{chart}{}",
         table(&head, &rows)
     ))
 }
