@@ -118,10 +118,7 @@ impl Tower for Springs {
     }
 
     fn throw(&mut self, block: usize, velocity: DVec3) {
-        let corners = self.0.model.blocks[block].corners();
-        for state in &mut self.0.curr[corners] {
-            state.velocity = velocity;
-        }
+        self.0.throw(block, velocity);
     }
 }
 

@@ -84,6 +84,11 @@ impl Watch {
         Self { since, reach: model.blocks.iter().map(reach).collect() }
     }
 
+    /// Begins the time of a block anew.
+    pub fn wake(&mut self, block: usize) {
+        self.since[block].1 = 0.0;
+    }
+
     /// After a step: disables what has been still for long enough, with all that could push it still too, and enables the neighbours of what
     /// moves.
     pub fn update(&mut self, model: &mut Model, constants: &Constants, held: Option<u32>, neighbours: &[[u32; 2]], states: &mut [State]) {

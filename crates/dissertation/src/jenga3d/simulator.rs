@@ -206,6 +206,16 @@ impl Jenga3D {
         }
     }
 
+    /// Gives all particles of a block a velocity, m/s, and enables it: how an experiment starts.
+    pub fn throw(&mut self, block: usize, velocity: glam::DVec3) {
+        let corners = self.model.blocks[block].corners();
+        for state in &mut self.curr[corners] {
+            state.velocity = velocity;
+        }
+        self.model.blocks[block].active = true;
+        self.watch.wake(block);
+    }
+
     /// Centres of the blocks, m.
     pub fn centres(&self) -> Vec<glam::DVec3> {
         self.model.blocks.iter().map(|b| b.centre(&self.curr)).collect()
