@@ -30,6 +30,8 @@ pub enum Command {
     Forces(Forces),
     /// Measure the engine against exact mechanics and what is known of real towers, and write a report.
     Validate(Validate),
+    /// The 2003 dissertation: its simulators and results.
+    Dissertation(Dissertation),
 }
 
 #[derive(Debug, Args)]
@@ -234,6 +236,29 @@ pub struct Validate {
     /// A data sheet of a real tower to compare with, see docs/validation.md; then nothing else is measured unless `--only` asks for it.
     #[arg(long, value_name = "FILE")]
     pub real: Option<PathBuf>,
+}
+
+#[derive(Debug, Args)]
+#[command(arg_required_else_help = true, disable_help_subcommand = true)]
+pub struct Dissertation {
+    #[command(subcommand)]
+    pub command: DissertationCommand,
+}
+
+#[derive(Debug, Subcommand)]
+pub enum DissertationCommand {
+    /// Run its chapter of results again and write it as a page.
+    Report(ReportArgs),
+}
+
+#[derive(Debug, Args)]
+pub struct ReportArgs {
+    /// Folder for the page, index.html; made where there is none.
+    #[arg(long, value_name = "DIR")]
+    pub out: PathBuf,
+    /// Parts to run [default: all]; may be given several times.
+    #[arg(long, value_name = "PART", value_parser = crate::dissertation::part_names())]
+    pub only: Vec<String>,
 }
 
 #[derive(Debug, Args)]

@@ -1,6 +1,7 @@
 //! `teeter`: towers, experiments and the game, from a shell.
 
 mod args;
+mod dissertation;
 mod fault;
 mod forces;
 mod input;
@@ -34,6 +35,7 @@ fn main() -> ExitCode {
         Command::Forces(args) => forces::main(args),
         Command::Validate(args) => validate::main(args),
         Command::Play(args) => play::main(args),
+        Command::Dissertation(args) => dissertation::main(args),
     };
     match done {
         // Whoever reads the output has seen enough: `teeter scene tower | head` is no fault.

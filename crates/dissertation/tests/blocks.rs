@@ -1,0 +1,174 @@
+//! What a block is made of, and that its springs do what springs do.
+
+use glam::DVec3;
+use teeter_dissertation::jenga3d::face::normal;
+use teeter_dissertation::jenga3d::forces::{Sources, compute_forces};
+use teeter_dissertation::jenga3d::{Constants, Disabling, Hand, HandMode, Jenga3D, block::*};
+use teeter_scene::{TowerOptions, named, tower};
+
+fn still() -> Constants {
+    Constants { gravity: 0.0, disabling: Disabling::Off, ..Constants::default() }
+}
+
+#[test]
+fn parts_of_a_block() {
+    let one = Jenga3D::new(&named("block").unwrap(), Constants::default()).unwrap();
+    assert_eq!((one.model.particles.len(), one.model.springs.len(), one.model.faces.len()), (8, 28, 12));
+    assert_eq!(one.model.springs.iter().filter(|s| s.edge).count(), 12);
+    let mut pairs: Vec<[u32; 2]> = one.model.springs.iter().map(|s| [s.p1.min(s.p2), s.p1.max(s.p2)]).collect();
+    pairs.sort();
+    pairs.dedup();
+    assert_eq!(pairs.len(), 28);
+    // Edges are as long as the block's sides.
+    let mut lengths: Vec<f64> = one.model.springs[..EDGES].iter().map(|s| (1e6 * s.rest_length).round()).collect();
+    lengths.dedup();
+    assert_eq!(lengths, [81000.0, 26800.0, 18000.0]);
+}
+
+#[test]
+fn faces_are_clockwise_and_cover_the_block() {
+    let one = Jenga3D::new(&named("block").unwrap(), Constants::default()).unwrap();
+    let centre = one.model.blocks[0].centre(&one.curr);
+    let mut area = 0.0;
+    let edges: Vec<[u32; 2]> = one.model.springs[..EDGES].iter().map(|s| [s.p1, s.p2]).collect();
+    for face in &one.model.faces {
+        let [a, b, c] = face.corners().map(|p| one.curr[p as usize].position);
+        let out = normal(a, b, c);
+        assert!(out.dot((a + b + c) / 3.0 - centre) > 0.0);
+        area += 0.5 * out.length();
+        // Clockwise from outside: the right-handed normal of the corners points in.
+        assert!((b - a).cross(c - a).dot(out) < 0.0);
+        let edge = |p: u32, q: u32| edges.contains(&[p, q]) || edges.contains(&[q, p]);
+        assert!(edge(face.p1, face.p2) && edge(face.p2, face.p3) && !edge(face.p3, face.p1));
+    }
+    let [x, y, z] = [0.081, 0.0268, 0.018];
+    assert!((area - 2.0 * (x * y + y * z + z * x)).abs() < 1e-12);
+}
+
+/// A corner that was pulled comes back, and the block as a whole stays where its centre of mass was put.
+#[test]
+fn a_block_regains_its_shape() {
+    let mut one = Jenga3D::new(&named("block").unwrap(), still()).unwrap();
+    one.curr[7].position += 1e-3 * DVec3::ONE;
+    let centre = one.model.blocks[0].centre(&one.curr);
+    for _ in 0..60 {
+        one.frame(None);
+    }
+    assert!(one.model.energy(&one.curr) < 1e-9, "{} J", one.model.energy(&one.curr));
+    assert!(one.model.blocks[0].centre(&one.curr).distance(centre) < 1e-9);
+}
+
+/// Spring forces sum to nothing and turn nothing, whatever the shape.
+#[test]
+fn springs_are_equal_and_opposite() {
+    let mut one = Jenga3D::new(&named("block").unwrap(), still()).unwrap();
+    for (n, state) in one.curr.iter_mut().enumerate() {
+        let k = n as f64;
+        state.position += 1e-3 * DVec3::new(libm::sin(k), libm::sin(2.0 * k), libm::sin(3.0 * k));
+        state.velocity = DVec3::new(libm::cos(k), libm::cos(2.0 * k), libm::cos(3.0 * k));
+    }
+    let sources = Sources { user: None, contacts: &[], time: one.constants.force_step() };
+    compute_forces(&one.model, &one.constants, &sources, &mut one.curr);
+    let largest = one.curr.iter().map(|s| s.force.length()).fold(0.0, f64::max);
+    let force: DVec3 = one.curr.iter().map(|s| s.force).sum();
+    let torque: DVec3 = one.curr.iter().map(|s| s.position.cross(s.force)).sum();
+    assert!(largest > 1.0);
+    assert!(force.length() < 1e-12 * largest && torque.length() < 1e-12 * largest, "{force} {torque}");
+}
+
+/// Most energy over that at the start, as a share of it, while two blocks meet corner first in free space. Their momentum must stay.
+fn gain(restitution: f64, damping: f64, mid_loop_count: u32) -> f64 {
+    let constants = Constants { restitution, damping, mid_loop_count, friction_enabled: false, row_spacing: 0.01, ..still() };
+    let mut two = Jenga3D::new(&named("test-4").unwrap(), constants).unwrap();
+    // Away with the third.
+    let third = two.model.blocks[2].corners();
+    for (n, state) in two.curr.iter_mut().enumerate() {
+        let k = n as f64;
+        let thrown = if n < 8 { DVec3::new(0.0, 0.1, 1.0) } else { DVec3::new(0.05, 0.0, -0.5) };
+        state.velocity = if third.contains(&n) { 10.0 * DVec3::X } else { thrown + 0.05 * DVec3::new(libm::sin(k), libm::cos(k), 0.0) };
+        state.position.z += 1.0;
+    }
+    let masses: Vec<f64> = two.model.particles.iter().map(|p| p.mass).collect();
+    let momentum = |s: &Jenga3D| s.curr.iter().zip(&masses).map(|(p, m)| *m * p.velocity).sum::<DVec3>();
+    // Half a step of power makes of the energy what Euler's method conserves on springs: the sum swings with the step, this does not.
+    let energy = |s: &Jenga3D| {
+        let mut states = s.curr.clone();
+        let sources = Sources { user: None, contacts: &[], time: s.constants.force_step() };
+        compute_forces(&s.model, &s.constants, &sources, &mut states);
+        let power: f64 = states.iter().map(|s| s.velocity.dot(s.force)).sum();
+        s.model.energy(&s.curr) + 0.5 * s.constants.force_step() * power
+    };
+    let (start, first, mut most, mut hits) = (momentum(&two), energy(&two), 0.0, 0);
+    for _ in 0..10 * mid_loop_count / 2 {
+        hits += two.step(None).all.collisions;
+        assert!(momentum(&two).distance(start) < 1e-12, "{restitution}");
+        most = energy(&two).max(most);
+    }
+    assert!(hits > 0);
+    most / first - 1.0
+}
+
+/// A blow adds no energy to its particles, as `collision.rs` shows. Its way back may load the springs of its blocks, by what the step is too
+/// long for: a thousandth of the energy with the usual step, and ever less with shorter ones.
+#[test]
+fn blocks_that_collide_in_space() {
+    for (restitution, damping) in [(1.0, 0.0), (0.5, 0.0), (0.0, 2.0)] {
+        let (usual, fine) = (gain(restitution, damping, 160), gain(restitution, damping, 3200));
+        println!("{restitution} {damping}: {usual} {fine}");
+        assert!(usual < 2e-3 && fine < 1e-4, "{restitution}: gains {usual} and {fine}");
+    }
+}
+
+/// Gravity is that of the constants: a block in the air falls by g t²/2.
+#[test]
+fn blocks_fall() {
+    let mut one = Jenga3D::new(&named("block").unwrap(), Constants { row_spacing: 0.1, ..Constants::default() }).unwrap();
+    let start = one.centres()[0].z;
+    for _ in 0..6 {
+        one.frame(None);
+    }
+    let t = 0.1;
+    let fallen = start - one.centres()[0].z;
+    // Euler's method is ahead by half a step of speed.
+    assert!((fallen - 0.5 * 9.81 * t * t).abs() < 9.81 * t * one.constants.force_step(), "{fallen}");
+}
+
+/// Both ways of moving a block, and what each is good for (section 5.6).
+#[test]
+fn the_hybrid_hand_takes_the_better_of_two() {
+    let carry = |hand: HandMode| {
+        let constants = Constants { hand, row_spacing: 0.1, ..Constants::default() };
+        let mut one = Jenga3D::new(&named("block").unwrap(), constants).unwrap();
+        let target = one.centres()[0] + DVec3::new(0.05, 0.0, 0.05);
+        let mut furthest = 0.0f64;
+        for _ in 0..60 {
+            one.frame(Some(&Hand { block: 0, target }));
+            furthest = furthest.max((one.centres()[0] - target).x);
+        }
+        (furthest, one.centres()[0].distance(target))
+    };
+    // By force the block swings past its target in the air; by velocity it goes there.
+    assert!(carry(HandMode::Force).0 > 0.02);
+    for hand in [HandMode::Velocity, HandMode::Hybrid] {
+        let (past, off) = carry(hand);
+        assert!(past < 1e-3 && off < 2e-3, "{hand:?}: {past} {off}");
+    }
+    let push_tower = |hand: HandMode| {
+        let constants = Constants { hand, ..Constants::default() };
+        let mut six = Jenga3D::new(&tower(&TowerOptions { rows: 6, ..TowerOptions::default() }).unwrap(), constants).unwrap();
+        for _ in 0..15 {
+            six.frame(None);
+        }
+        let target = six.centres()[1] + 5e-3 * DVec3::X;
+        let before = six.centres();
+        for _ in 0..15 {
+            six.frame(Some(&Hand { block: 1, target }));
+        }
+        let moved = six.centres()[1].x - before[1].x;
+        let others = (0..18).filter(|b| *b != 1).map(|b| six.centres()[b].distance(before[b])).fold(0.0, f64::max);
+        (moved, others)
+    };
+    // 40 N/m over 5 mm is 0.2 N, which moves no block of the bottom row that bears load; the strong hand moves it whatever holds it.
+    let (by_velocity, _) = push_tower(HandMode::Velocity);
+    assert!(by_velocity > 4.5e-3, "{by_velocity}");
+}

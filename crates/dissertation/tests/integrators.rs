@@ -1,0 +1,70 @@
+//! Integrators have the order that they are known for, on the motion of one particle on a spring, whose solution is a cosine.
+
+use glam::DVec3;
+use teeter_dissertation::jenga3d::integrate::{Between, Method, euler, integrate};
+use teeter_dissertation::jenga3d::particle::{Particle, State};
+
+const PARTICLE: [Particle; 1] = [Particle { mass: 1.0, block: 0 }];
+
+fn start() -> Vec<State> {
+    vec![State { position: DVec3::X, ..State::default() }]
+}
+
+fn spring(states: &mut [State]) {
+    for state in states {
+        state.force = -state.position;
+    }
+}
+
+/// Distance in phase from the solution at t = 1 after so many steps.
+fn error(steps: u32, mut step: impl FnMut(&mut Vec<State>, &mut Vec<State>, f64)) -> f64 {
+    let (mut curr, mut next) = (start(), start());
+    for _ in 0..steps {
+        step(&mut curr, &mut next, 1.0 / f64::from(steps));
+        std::mem::swap(&mut curr, &mut next);
+    }
+    let (x, v) = (libm::cos(1.0), -libm::sin(1.0));
+    ((curr[0].position.x - x) * (curr[0].position.x - x) + (curr[0].velocity.x - v) * (curr[0].velocity.x - v)).sqrt()
+}
+
+/// By how many powers of two the error falls when the step is halved.
+fn order(steps: u32, mut step: impl FnMut(&mut Vec<State>, &mut Vec<State>, f64)) -> f64 {
+    libm::log2(error(steps, &mut step) / error(2 * steps, &mut step))
+}
+
+fn order_of(method: Method, steps: u32) -> f64 {
+    let mut between = Between::default();
+    order(steps, |curr, next, h| integrate(method, 4, h, &PARTICLE, curr, next, &mut between, spring))
+}
+
+#[test]
+fn orders() {
+    for (method, expected) in [(Method::Euler, 1.0), (Method::Multi, 1.0), (Method::Midpoint, 2.0), (Method::Rk4, 4.0)] {
+        let order = order_of(method, 64);
+        assert!((order - expected).abs() < 0.05, "{} has order {order}", method.name());
+    }
+}
+
+/// Four steps at once are four steps.
+#[test]
+fn multi_is_euler_several_times() {
+    let mut between = Between::default();
+    let multi = error(16, |curr, next, h| integrate(Method::Multi, 4, h, &PARTICLE, curr, next, &mut between, spring));
+    let euler = error(64, |curr, next, h| integrate(Method::Euler, 1, h, &PARTICLE, curr, next, &mut Between::default(), spring));
+    assert!((multi - euler).abs() < 1e-14);
+}
+
+/// Figure 4.12 steps the positions with Eq. 4.5, whose velocity is that of the end of the step: with its lists put right, it is still no
+/// midpoint method but one of the first order.
+#[test]
+fn figure_4_12_is_of_the_first_order() {
+    let figure = |curr: &mut Vec<State>, next: &mut Vec<State>, h: f64| {
+        let mut temp = Vec::new();
+        spring(curr);
+        euler(&PARTICLE, curr, curr, &mut temp, 0.5 * h);
+        spring(&mut temp);
+        euler(&PARTICLE, curr, &temp, next, h);
+    };
+    let order = order(64, figure);
+    assert!((order - 1.0).abs() < 0.05, "order {order}");
+}
