@@ -8,7 +8,9 @@ mod tests;
 use glam::{DMat3, DVec3};
 
 use crate::body::FLOOR;
-use crate::constants::{AREA_RANGE, AXIS_HYSTERESIS, CORNER_MERGE, EDGE_AREA, EDGE_PREFERENCE, LEAST_EDGE_SINE, REFERENCE_AREA};
+use crate::constants::{
+    AREA_RANGE, AXIS_HYSTERESIS, CORNER_MERGE, EDGE_AREA, EDGE_PREFERENCE, LEAST_EDGE_SINE, LEAST_EDGE_TILT, REFERENCE_AREA,
+};
 use crate::manifold::{Axis, Manifold, Point};
 use crate::polygon::{Corner, clip, merge, shares};
 
@@ -43,12 +45,13 @@ pub fn separation(low: &Cuboid, high: &Cuboid, limit: f64, last: Option<Axis>) -
     let in_low = low.axes.transpose() * offset;
     let in_high = high.axes.transpose() * offset;
 
-    // merit, axis, distance, and on which side of the first the second is
-    let mut best: Option<(f64, Axis, f64, f64)> = None;
-    let mut consider = |axis: Axis, along: f64, distance: f64, handicap: f64| {
+    // merit, axis, distance, and on which side of the first the second is; the best of the faces and the best of the edges
+    let mut faces = (f64::NEG_INFINITY, Axis::FaceLow(0), 0.0, 0.0);
+    let mut edges = faces;
+    let consider = |best: &mut (f64, Axis, f64, f64), axis: Axis, along: f64, distance: f64, handicap: f64| {
         let merit = distance - handicap + if last == Some(axis) { AXIS_HYSTERESIS } else { 0.0 };
-        if best.is_none_or(|(most, ..)| merit > most) {
-            best = Some((merit, axis, distance, along));
+        if merit > best.0 {
+            *best = (merit, axis, distance, along);
         }
     };
 
@@ -58,7 +61,7 @@ pub fn separation(low: &Cuboid, high: &Cuboid, limit: f64, last: Option<Axis>) -
         if distance > limit {
             return None;
         }
-        consider(Axis::FaceLow(i as u8), in_low[i], distance, 0.0);
+        consider(&mut faces, Axis::FaceLow(i as u8), in_low[i], distance, 0.0);
     }
     let reach = high.half + abs.transpose() * low.half;
     for j in 0..3 {
@@ -66,7 +69,7 @@ pub fn separation(low: &Cuboid, high: &Cuboid, limit: f64, last: Option<Axis>) -
         if distance > limit {
             return None;
         }
-        consider(Axis::FaceHigh(j as u8), in_high[j], distance, 0.0);
+        consider(&mut faces, Axis::FaceHigh(j as u8), in_high[j], distance, 0.0);
     }
     for i in 0..3 {
         let (i1, i2) = ((i + 1) % 3, (i + 2) % 3);
@@ -85,17 +88,25 @@ pub fn separation(low: &Cuboid, high: &Cuboid, limit: f64, last: Option<Axis>) -
             if distance > limit {
                 return None;
             }
-            consider(Axis::Edges((3 * i + j) as u8), along, distance, EDGE_PREFERENCE);
+            consider(&mut edges, Axis::Edges((3 * i + j) as u8), along, distance, EDGE_PREFERENCE);
         }
     }
-    best.map(|(_, axis, distance, along)| {
+    let found = |(_, axis, distance, along): (f64, Axis, f64, f64)| {
         let normal = match axis {
             Axis::FaceLow(i) => low.axes.col(i as usize),
             Axis::FaceHigh(j) => high.axes.col(j as usize),
             Axis::Edges(pair) => low.axes.col(pair as usize / 3).cross(high.axes.col(pair as usize % 3)).normalize(),
         };
         Separation { axis, normal: if along < 0.0 { -normal } else { normal }, distance }
-    })
+    };
+    let face = found(faces);
+    if edges.0 > faces.0 {
+        let edge = found(edges);
+        if edge.normal.cross(face.normal).length_squared() > LEAST_EDGE_TILT * LEAST_EDGE_TILT {
+            return Some(edge);
+        }
+    }
+    Some(face)
 }
 
 /// How two boxes are to each other.

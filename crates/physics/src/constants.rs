@@ -57,6 +57,9 @@ pub const LEAST_NEAR: f64 = 1e-4;
 pub const MARGIN_SHARE: f64 = 0.7;
 /// Edge axes of nearly parallel edges say nothing that the face axes do not: least sine of the angle.
 pub const LEAST_EDGE_SINE: f64 = 0.02;
+/// Least sine of the angle between an edge axis and the best face axis: nearer to it two blocks are all but flat on each other. They have one point
+/// on an edge axis and all points of their patch on the face axis, of which others may close before the next detection, as when a block rocks.
+pub const LEAST_EDGE_TILT: f64 = 0.05;
 /// By how much an edge axis must separate better than a face axis to be taken, m.
 pub const EDGE_PREFERENCE: f64 = 1e-4;
 /// By how much another axis must separate better than the one of the last detection to be taken, m.
