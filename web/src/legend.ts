@@ -20,7 +20,12 @@ export class Legend {
 
   constructor(actions: LegendActions) {
     this.button.addEventListener('click', () => actions.toggle());
-    get('use-springs').addEventListener('click', () => actions.useSprings());
+    const use = get<HTMLButtonElement>('use-springs');
+    use.addEventListener('click', () => {
+      // The button goes away, and must not take a key of the game with it.
+      use.blur();
+      actions.useSprings();
+    });
   }
 
   /** Shows whether the view is on, and the force at the end of the scale (N; null where the blocks have no springs). */

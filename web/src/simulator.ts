@@ -75,6 +75,8 @@ export function sceneText(source: SceneSource, choose: (own: Own) => Choice): st
 export class Simulator {
   private readonly simulation: Simulation;
   private readonly glide: Glide;
+  /** Edge lengths, three numbers a body, m. */
+  private readonly edges: Float32Array;
   /** What the scene says of springs besides their stiffness. */
   private readonly springs: Scene['springs'];
   private readonly quarantined = new Set<number>();
@@ -91,6 +93,7 @@ export class Simulator {
     private readonly memory: WebAssembly.Memory,
   ) {
     this.simulation = new Simulation(scene, JSON.stringify({ sleep, frame: FRAME }));
+    this.edges = Float32Array.from(this.simulation.sizes());
     this.springs = (JSON.parse(scene) as Scene).springs;
     this.glide = new Glide({ form: this.form, springs: this.springStiffness ?? this.stiffness }, this.stiffness);
   }
@@ -129,8 +132,9 @@ export class Simulator {
     this.glide.want({ form, springs: springs ?? this.stiffness });
   }
 
+  /** Edge lengths, a copy that may be given away. */
   sizes(): Float32Array {
-    return Float32Array.from(this.simulation.sizes());
+    return this.edges.slice();
   }
 
   /** A copy of the poses that may be given away. */
@@ -144,8 +148,7 @@ export class Simulator {
     // The place is asked for first: writing them down may let memory grow.
     const at = this.simulation.latticesPtr();
     const view = new Float32Array(this.memory.buffer, at, this.simulation.length * LATTICE_STRIDE);
-    const sizes = this.simulation.sizes();
-    if (!watched && farthest(strains(view, this.view(), sizes, this.place), sizes) < SEEN) return null;
+    if (!watched && farthest(strains(view, this.view(), this.edges, this.place), this.edges) < SEEN) return null;
     return view.slice();
   }
 

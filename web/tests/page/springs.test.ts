@@ -152,7 +152,7 @@ test('springs are shown while time stands still, and rigid blocks are offered so
   await page.waitForFunction(() => window.teeter.view.shown > 0);
   await page.keyboard.press('s');
   await page.keyboard.press(' ');
-  expect(await page.evaluate(() => [window.teeter.view.shown, window.teeter.paused])).toEqual([0, true]);
+  await page.waitForFunction(() => window.teeter.view.shown === 0 && window.teeter.paused);
   await page.keyboard.press('s');
   await page.waitForFunction(() => window.teeter.view.shown > 0);
   expect(session.complaints).toEqual([]);
