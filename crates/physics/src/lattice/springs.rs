@@ -9,10 +9,10 @@ pub const SPRINGS: usize = 28;
 /// Kinds of spring by the axes that they go along, a bit each: 1, 2 and 4 are edges, 7 is a diagonal of the block.
 pub const KINDS: usize = 7;
 /// How much harder it is to accelerate the straining of a block than its particles alone make it: forces accelerate a block as a whole as they
-/// should, and what strains it by one over this. Statics and the motion of the whole stay exact, and a block swings at half its own rate, which is
+/// should, and what strains it by one over this. Statics and the motion of the whole stay exact, and a block swings at a third of its own rate, which is
 /// beyond hearing for wood. Without it a surface would give way so easily, by 10 / m at a corner against 6 / m where blocks are rigid, that it took
 /// substeps of 0.6 times the length.
-pub const STRAIN_INERTIA: f64 = 4.0;
+pub const STRAIN_INERTIA: f64 = 8.0;
 /// Part of the stability limit of the explicit step, 4, that the springs may use.
 const STEP_LIMIT: f64 = 1.2;
 
