@@ -3,8 +3,8 @@
 
 use glam::DVec3;
 use teeter_physics::{Params, Precision};
-use teeter_scene::{Scene, TowerOptions, config, loose, named, tower};
-use teeter_study::{forces, settled, starting_force, xray};
+use teeter_scene::{Form, Scene, Springs, TowerOptions, config, loose, named, tower};
+use teeter_study::{forces, long_axis, settled, starting_force, xray};
 
 fn params() -> Params {
     Params { sleep: false, ..Params::default() }
@@ -67,6 +67,24 @@ fn the_xray_of_a_tower_adds_up() {
         assert!((borne - above).abs() < 1e-3 * (above + 1.0), "row {row} bears {borne} of {above} N");
     }
     assert!(loads[51..].iter().all(|l| l.is_loose()));
+}
+
+/// Springs within the blocks shift loads between them, the stiffer they are the less: as stiff as the contacts they agree with rigid blocks to
+/// within what a tower remembers of how it settled.
+#[test]
+fn the_force_map_of_blocks_of_springs_comes_to_that_of_rigid_ones() {
+    let scene = tower(&TowerOptions { rows: 3, ..TowerOptions::default() }).unwrap();
+    let map = |scene: &Scene| -> Vec<f64> {
+        let world = settled(scene, params()).unwrap();
+        (0..scene.blocks.len()).map(|i| starting_force(&world, i as u32, long_axis(&scene.blocks[i]).extend(0.0)).unwrap()).collect()
+    };
+    let rigid = map(&scene);
+    let [soft, equal] = [1e4, 1e6].map(|stiffness| {
+        let springs = Springs { stiffness: Some(stiffness), ..Springs::default() };
+        let map = map(&Scene { form: Form::Lattice, springs, ..scene.clone() });
+        map.iter().zip(&rigid).map(|(a, b)| (a - b).abs()).sum::<f64>() / rigid.iter().sum::<f64>()
+    });
+    assert!(equal < 0.01 && soft > 2.0 * equal, "mean errors over the mean force: {soft} and {equal}");
 }
 
 /// More than 10 N is asked of the lowest of a heavy column.
