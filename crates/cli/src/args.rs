@@ -4,7 +4,7 @@ use std::path::PathBuf;
 
 use clap::{Args, Parser, Subcommand, ValueEnum};
 use teeter_physics::{Params, Precision};
-use teeter_scene::{BlockPreset, Form, MAX_ROWS, Particles, SPRING_STIFFNESS, STIFFNESS, Scene, Springs, WOOD_RESTITUTION};
+use teeter_scene::{BlockPreset, Form, MAX_ROWS, Particles, SPRING_STIFFNESS, STIFFNESS, Scene, Springs, WOOD_RESTITUTION, WOOD_SPRINGS};
 
 use crate::validate::Topic;
 
@@ -148,8 +148,8 @@ pub struct Material {
     /// What blocks are: rigid, or a lattice of 8 particles and 28 springs each [default: the scene's own, rigid where it names none].
     #[arg(long)]
     pub form: Option<Form>,
-    /// Stiffness of each spring of a lattice, N/m, 1e3 to 1e8; wood is near 3e7 [default: the scene's own, that of the contacts where it names none].
-    #[arg(long, value_parser = number(SPRING_STIFFNESS.0, SPRING_STIFFNESS.1), value_name = "N/M")]
+    /// Stiffness of each spring of a lattice, N/m, 1e3 to 1e8, or `wood`, 3e7 [default: the scene's own, that of the contacts where it names none].
+    #[arg(long, value_parser = spring_stiffness, value_name = "N/M")]
     pub spring_stiffness: Option<f64>,
     /// Where the particles are: inside, so that a block is as hard to turn as a solid one, or corners, as in the dissertation.
     #[arg(long)]
@@ -296,6 +296,14 @@ impl Engine {
             Format::Double => Precision::Double,
         };
         Params { precision, sleep, ..Params::default() }
+    }
+}
+
+/// Reads a stiffness of springs, or the name of one.
+fn spring_stiffness(text: &str) -> Result<f64, String> {
+    match text {
+        "wood" => Ok(WOOD_SPRINGS),
+        _ => number(SPRING_STIFFNESS.0, SPRING_STIFFNESS.1)(text).map_err(|e| format!("{e}, or wood")),
     }
 }
 

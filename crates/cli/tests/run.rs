@@ -101,3 +101,13 @@ fn the_table_is_for_people() {
     assert!(done.out.contains("0.58 N in all"), "{}", done.out);
     assert!(done.out.lines().skip(1).all(|l| l.starts_with("  ")));
 }
+
+#[test]
+fn blocks_may_have_springs_of_wood() {
+    let run = |stiffness: &str| report(&["column", "--form", "lattice", "--spring-stiffness", stiffness, "--seconds", "1"]);
+    let (wood, soft) = (run("wood"), run("1e5"));
+    assert_eq!(wood["hash"], run("3e7")["hash"]);
+    assert!(soft["sink_mm"].as_f64().unwrap() > 3.0 * wood["sink_mm"].as_f64().unwrap(), "{soft} {wood}");
+    let oak = teeter(&["run", "column", "--form", "lattice", "--spring-stiffness", "oak"]);
+    assert!(oak.fault().contains("expected a number from 1000 to 100000000, or wood"), "{}", oak.fault());
+}

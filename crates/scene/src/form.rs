@@ -71,6 +71,11 @@ impl FromStr for Particles {
     }
 }
 
+/// Stiffness of the springs of a block of wood, N/m: what makes a block of the dissertation's size as stiff across the grain as 0.5 GPa do, the
+/// modulus of softwoods and alder there (a tenth of that along the grain; Wood Handbook, Forest Products Laboratory 2010, tables 5-1 and 5-3).
+/// Springs of k press with 5.6 k between particles that are 1/√3 as far apart as the faces, so with 5.6 k / 3 = E A / h.
+pub const WOOD_SPRINGS: f64 = 3e7;
+
 /// The springs within the blocks of a scene whose form is [`Form::Lattice`].
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 #[serde(default, deny_unknown_fields)]

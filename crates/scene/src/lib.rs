@@ -24,7 +24,7 @@ mod tower;
 mod validate;
 
 pub use error::SceneError;
-pub use form::{Form, Particles, Springs};
+pub use form::{Form, Particles, Springs, WOOD_SPRINGS};
 pub use json::{MAX_BYTES, read_text};
 pub use named::{NAMED, NamedScene, Verdict, named};
 pub use notation::{Cell, Notation};
