@@ -51,12 +51,7 @@ fn a_block_on_an_incline_above_the_angle_of_friction_slides_with_the_difference(
 fn a_sliding_block_stops_where_coulomb_says() {
     for params in both() {
         let mut world = World::new(&one(), params).unwrap();
-        run(&mut world, 1.0, &Input::default());
-        let start = position(&world, 0);
-        world.set_velocity(0, DVec3::new(0.5, 0.0, 0.0), DVec3::ZERO);
-        run(&mut world, 1.0, &Input::default());
-        let distance = position(&world, 0).x - start.x;
-        let expected = 0.5 * 0.5 / (2.0 * 0.4 * G);
+        let (distance, expected) = stopping_distance(&mut world);
         assert!((distance / expected - 1.0).abs() < 2e-3, "{distance} instead of {expected} m");
         assert!(motion(&world, 0).0.length() < 1e-7);
     }

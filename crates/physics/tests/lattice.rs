@@ -120,12 +120,7 @@ fn blocks_slide_and_stay_as_rigid_ones_do() {
     assert!(moved < 1e-9, "{moved:e} m in 5 s");
 
     let mut world = World::new(&springy(one()), awake()).unwrap();
-    run(&mut world, 1.0, &Input::default());
-    let start = position(&world, 0);
-    world.set_velocity(0, DVec3::new(0.5, 0.0, 0.0), DVec3::ZERO);
-    run(&mut world, 1.0, &Input::default());
-    let distance = position(&world, 0).x - start.x;
-    let expected = 0.5 * 0.5 / (2.0 * 0.4 * G);
+    let (distance, expected) = stopping_distance(&mut world);
     assert!((distance / expected - 1.0).abs() < 3e-3, "{distance} instead of {expected} m");
 }
 

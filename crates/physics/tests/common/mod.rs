@@ -93,3 +93,12 @@ pub fn inertia(size: [f64; 3], mass: f64) -> DVec3 {
     let [x, y, z] = size.map(|l| l * l);
     DVec3::new(y + z, z + x, x + y) * (mass / 12.0)
 }
+
+/// How far the only block of a world slides from 0.5 m/s, once it has settled, m; and how far Coulomb says, with friction 0.4.
+pub fn stopping_distance(world: &mut World) -> (f64, f64) {
+    run(world, 1.0, &Input::default());
+    let start = position(world, 0);
+    world.set_velocity(0, DVec3::new(0.5, 0.0, 0.0), DVec3::ZERO);
+    run(world, 1.0, &Input::default());
+    (position(world, 0).x - start.x, 0.5 * 0.5 / (2.0 * 0.4 * G))
+}
