@@ -12,7 +12,7 @@ use crate::constants::{
     AREA_RANGE, AXIS_HYSTERESIS, CORNER_MERGE, EDGE_AREA, EDGE_PREFERENCE, LEAST_EDGE_SINE, LEAST_EDGE_TILT, REFERENCE_AREA,
 };
 use crate::manifold::{Axis, Manifold, Point};
-use crate::polygon::{Corner, clip, merge, shares};
+use crate::polygon::{Corner, LINE_LEVER, clip, merge, patch};
 
 /// A box in the world.
 #[derive(Debug, Clone, Copy)]
@@ -172,7 +172,7 @@ fn face_manifold(a: &Cuboid, b: &Cuboid, axis: usize, normal: DVec3, kind: Axis)
     if polygon.is_empty() {
         return None;
     }
-    let (area, centroid, weights) = shares(&polygon);
+    let patch = patch(&polygon);
     let local = |u: f64, v: f64| {
         let mut x = DVec3::ZERO;
         x[axis] = normal.dot(a.axes.col(axis)).signum() * a.half[axis];
@@ -181,10 +181,10 @@ fn face_manifold(a: &Cuboid, b: &Cuboid, axis: usize, normal: DVec3, kind: Axis)
         x
     };
     let frame = frame(a, normal, iu);
-    let centroid = local(centroid[0], centroid[1]);
+    let centroid = local(patch.centroid[0], patch.centroid[1]);
     let points = polygon
         .iter()
-        .zip(weights)
+        .zip(patch.shares)
         .map(|(c, weight)| {
             let anchor_a = local(c.u, c.v);
             let on_b = plane + u * c.u + v * c.v + normal * c.gap;
@@ -205,7 +205,8 @@ fn face_manifold(a: &Cuboid, b: &Cuboid, axis: usize, normal: DVec3, kind: Axis)
         axis: kind,
         frame,
         centroid,
-        area: (area / REFERENCE_AREA).clamp(AREA_RANGE.0, AREA_RANGE.1),
+        area: (patch.area / REFERENCE_AREA).clamp(AREA_RANGE.0, AREA_RANGE.1),
+        lever: patch.lever,
         mobility: 0.0,
         points,
     })
@@ -242,6 +243,7 @@ fn edge_manifold(a: &Cuboid, b: &Cuboid, pair: usize, normal: DVec3) -> Manifold
         frame: frame(a, normal, i),
         centroid: anchor_a,
         area: EDGE_AREA,
+        lever: LINE_LEVER,
         mobility: 0.0,
         points: [Point {
             anchor_a,
@@ -275,34 +277,33 @@ pub fn box_floor(b: &Cuboid, limit: f64, last: Option<Axis>) -> Option<Manifold>
     let (ip, iq) = ((k + 1) % 3, (k + 2) % 3);
     let mut center = DVec3::ZERO;
     center[k] = outward * b.half[k];
-    let corners = [(1.0, 1.0), (-1.0, 1.0), (-1.0, -1.0), (1.0, -1.0)].map(|(x, y)| {
-        let mut c = center;
-        c[ip] = x * b.half[ip];
-        c[iq] = y * b.half[iq];
-        c
-    });
+    let sides = [(1.0, 1.0), (-1.0, 1.0), (-1.0, -1.0), (1.0, -1.0)];
+    let patch = patch(&sides.map(|(x, y)| Corner { u: x * b.half[ip], v: y * b.half[iq], gap: 0.0 }));
     let ground = |local: DVec3| {
         let x = b.center + b.axes * local;
         DVec3::new(x.x, x.y, 0.0)
     };
     let centroid = ground(center);
-    let points = corners
+    let points = sides
         .iter()
-        .map(|&anchor_b| {
+        .map(|(x, y)| {
+            let mut anchor_b = center;
+            anchor_b[ip] = x * b.half[ip];
+            anchor_b[iq] = y * b.half[iq];
             let x = b.center + b.axes * anchor_b;
             let anchor_a = DVec3::new(x.x, x.y, 0.0);
             let arm = anchor_a - centroid;
             Point { anchor_a, anchor_b, arm: [arm.x, arm.y], weight: 0.25, gap: x.z, ..Point::default() }
         })
         .collect();
-    let area = 4.0 * b.half[ip] * b.half[iq];
     Some(Manifold {
         a: FLOOR,
         b: b.body,
         axis: Axis::FaceHigh(k as u8),
         frame: [DVec3::Z, DVec3::X, DVec3::Y],
         centroid,
-        area: (area / REFERENCE_AREA).clamp(AREA_RANGE.0, AREA_RANGE.1),
+        area: (patch.area / REFERENCE_AREA).clamp(AREA_RANGE.0, AREA_RANGE.1),
+        lever: patch.lever,
         mobility: 0.0,
         points,
     })

@@ -40,9 +40,6 @@ pub const MAXWELL_TIME: f64 = 0.01;
 pub const TANGENTIAL_STIFFNESS: f64 = 0.8;
 /// Tangential over normal damping.
 pub const TANGENTIAL_DAMPING: f64 = 0.9;
-/// Lever of torsional friction over the lever of the points. Forces at the corners of a patch overstate the torsional friction
-/// of a uniform pressure by 1.85.
-pub const TORSION_LEVER: f64 = 0.54;
 /// Sliding speed at which friction has fallen half way from static to kinetic, m/s.
 pub const STRIBECK_SPEED: f64 = 1e-3;
 

@@ -6,7 +6,6 @@ use glam::{DMat3, DVec3};
 use serde::{Deserialize, Serialize};
 
 use crate::body::Bodies;
-use crate::constants::TORSION_LEVER;
 
 /// Which axis separates best.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
@@ -58,6 +57,8 @@ pub struct Manifold {
     pub centroid: DVec3,
     /// Area of the patch over the reference area, clamped: stiffness over that of the scene.
     pub area: f64,
+    /// By how much the levers of the points' friction are shorter than their arms, see [`crate::polygon::Patch`].
+    pub lever: f64,
     /// How easily the two bodies give way at the patch, 1/kg: bounds what the explicit step can hold.
     pub mobility: f64,
     /// The points.
@@ -137,14 +138,14 @@ impl Manifold {
     }
 
     /// Levers of the points' friction from the centroid, m: the resultant acts at the centre of pressure, and around it the points
-    /// stand closer by [`TORSION_LEVER`]. The pressure is that of the last substep.
+    /// stand closer by [`Manifold::lever`]. The pressure is that of the last substep.
     pub fn levers(&self) -> impl Fn(&Point) -> [f64; 2] {
         let total: f64 = self.points.iter().map(|p| p.force).sum();
         let center = |k: usize| {
             if total > 0.0 { self.points.iter().map(|p| p.force * p.arm[k]).sum::<f64>() / total } else { 0.0 }
         };
-        let center = [center(0), center(1)];
-        move |p| [0, 1].map(|k| center[k] + TORSION_LEVER * (p.arm[k] - center[k]))
+        let (center, lever) = ([center(0), center(1)], self.lever);
+        move |p| [0, 1].map(|k| center[k] + lever * (p.arm[k] - center[k]))
     }
 
     /// Takes the history of an earlier manifold of the same bodies: each point that of the nearest old one. `old_to_world` and

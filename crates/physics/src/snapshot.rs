@@ -19,7 +19,7 @@ use crate::world::World;
 pub struct SnapshotError(String);
 
 /// First bytes of a snapshot: what it is, and the version of its layout.
-const MAGIC: &[u8] = b"teeter\x00\x02";
+const MAGIC: &[u8] = b"teeter\x00\x03";
 
 /// All that changes: with the constants and the inputs it determines all of the future.
 #[derive(Debug, Serialize, Deserialize)]
