@@ -143,32 +143,34 @@ impl Collider {
                 continue;
             }
             counters.after_blocks += TESTS_OF_PAIR;
-            self.points_and_faces(a, b, since, field, counters);
-            self.points_and_faces(b, a, since, field, counters);
+            self.points_and_faces(a, b, since, !field.constants.listed_boxes, field, counters);
+            self.points_and_faces(b, a, since, true, field, counters);
             self.edges(a, b, since, field, counters);
         }
     }
 
-    /// The corners of block `p` with the faces of block `f`, where either has changed since that event.
-    fn points_and_faces(&mut self, p: usize, f: usize, since: u32, field: &mut Field, counters: &mut Counters) {
+    /// The corners of block `p` with the faces of block `f`, where either has changed since that event. Without `corner_boxes` the boxes of
+    /// corners are not looked at.
+    fn points_and_faces(&mut self, p: usize, f: usize, since: u32, corner_boxes: bool, field: &mut Field, counters: &mut Counters) {
         let culling = field.constants.culling;
+        let of_corners = if corner_boxes { culling } else { culling.min(Culling::Blocks) };
         let first = field.model.blocks[p].particles as usize;
         let first_of_face = field.model.blocks[f].particles as usize;
         let mut faces = self.meeting(|b| &b.faces, f, p, culling);
-        let (mut all_corners, mut event) = (self.meeting(|b| &b.corners, p, f, culling), self.event);
+        let (mut all_corners, mut event) = (self.meeting(|b| &b.corners, p, f, of_corners), self.event);
         while let Some(n) = take(&mut faces) {
             let face = FACE_CORNERS[n].map(|c| first_of_face + c);
             let old_face = self.unchanged(f, FACE_CORNERS[n], since);
             if self.event != event {
                 // A collision may have widened the boxes.
-                (all_corners, event) = (self.meeting(|b| &b.corners, p, f, culling), self.event);
+                (all_corners, event) = (self.meeting(|b| &b.corners, p, f, of_corners), self.event);
             }
             let mut corners = all_corners;
             while let Some(corner) = take(&mut corners) {
                 if old_face && self.unchanged(p, [corner], since) {
                     continue;
                 }
-                if culling >= Culling::Boxes && !self.boxes[f].faces.get(n).meets(&self.boxes[p].corners.get(corner)) {
+                if of_corners >= Culling::Boxes && !self.boxes[f].faces.get(n).meets(&self.boxes[p].corners.get(corner)) {
                     continue;
                 }
                 counters.after_boxes += 1;

@@ -45,6 +45,10 @@ pub struct Constants {
     pub order: Order,
     /// Which tests come before the exact one.
     pub culling: Culling,
+    /// Whether the boxes of corners and faces are compared as Figure 5.5 lists it: its first inner loop goes over the corners p1 of the first
+    /// block and the faces f2 of the second, but compares p2 with f1, which says nothing of the two at hand, so that every corner is left
+    /// for each face that meets the other block. It costs tests and changes no result.
+    pub listed_boxes: bool,
     /// Whether pairs neither of whose blocks has changed are passed over within a step. It saves tests and changes no result.
     pub skip_unchanged: bool,
     /// How blocks are disabled.
@@ -88,6 +92,7 @@ impl Default for Constants {
             max_sweeps: 8,
             order: Order::Naive,
             culling: Culling::Planes,
+            listed_boxes: false,
             skip_unchanged: true,
             disabling: Disabling::Listed,
             disable_threshold: 5e-6,

@@ -81,6 +81,7 @@ const ENTRIES: &[Entry] = &[
     entry!("Contact", max_sweeps, "a whole number"),
     entry!("Contact", order one of ORDERS),
     entry!("Contact", culling one of CULLINGS),
+    entry!("Contact", listed_boxes, "true or false"),
     entry!("Contact", skip_unchanged, "true or false"),
     entry!("Friction", friction_enabled, "true or false"),
     entry!("Friction", friction, "a number"),
