@@ -12,6 +12,7 @@ mod requirements;
 mod soft;
 mod statics;
 mod table_5_2;
+mod work;
 
 use crate::args::{Dissertation, DissertationCommand};
 use crate::fault::Fault;

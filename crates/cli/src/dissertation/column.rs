@@ -3,8 +3,9 @@
 use glam::{DQuat, DVec3};
 use teeter_dissertation::jenga3d::{self, Constants, Disabling, Jenga3D};
 use teeter_physics::{Grip, Hand, Input, Params, World};
-use teeter_scene::Scene;
+use teeter_scene::{Form, Scene};
 
+use super::work;
 use crate::fault::Fault;
 
 /// A block held by a hand.
@@ -28,12 +29,20 @@ pub trait Tower: Send {
     fn corners(&self, block: usize) -> [DVec3; 8];
     /// Whether a block is disabled or asleep.
     fn rests(&self, block: usize) -> bool;
+    /// What the last frame cost, floating-point operations.
+    fn work(&self) -> f64;
     /// Gives a block a velocity, m/s.
     fn throw(&mut self, block: usize, velocity: DVec3);
 
     /// Centre of a block, m.
     fn centre(&self, block: usize) -> DVec3 {
         self.corners(block).into_iter().sum::<DVec3>() / 8.0
+    }
+
+    /// Unit vector along the length of a block, towards its corners of bit 0.
+    fn along(&self, block: usize) -> DVec3 {
+        let corners = self.corners(block);
+        (0..8).map(|c| if c & 1 == 1 { corners[c] } else { -corners[c] }).sum::<DVec3>().normalize_or_zero()
     }
 
     /// All centres, m.
@@ -62,16 +71,23 @@ pub const FRAMES: f64 = 60.0;
 pub struct Column {
     /// What stands over it.
     pub name: &'static str,
+    /// Its colour in charts.
+    pub colour: &'static str,
     /// Builds a scene.
     pub build: fn(&Scene) -> Result<Box<dyn Tower>, Fault>,
 }
 
 /// The columns, the dissertation's method first.
 pub const COLUMNS: &[Column] = &[
-    Column { name: "2003 method", build: springs },
-    Column { name: "2003 with 6.3", build: springs_and_future_work },
-    Column { name: "rigid", build: rigid },
+    Column { name: "2003 method", colour: "#b5482f", build: springs },
+    Column { name: "2003 with 6.3", colour: "#c98a1b", build: springs_and_future_work },
+    ENGINE[0],
+    ENGINE[1],
 ];
+
+/// Those of the engine.
+pub const ENGINE: [Column; 2] =
+    [Column { name: "lattice", colour: "#2f6fb5", build: lattice }, Column { name: "rigid", colour: "#3f8f4f", build: rigid }];
 
 fn springs(scene: &Scene) -> Result<Box<dyn Tower>, Fault> {
     Ok(Box::new(Springs::new(scene, Constants::default())?))
@@ -83,77 +99,99 @@ fn springs_and_future_work(scene: &Scene) -> Result<Box<dyn Tower>, Fault> {
     Ok(Box::new(Springs::new(scene, constants)?))
 }
 
+/// With springs as stiff as the contacts.
+fn lattice(scene: &Scene) -> Result<Box<dyn Tower>, Fault> {
+    engine(scene, Form::Lattice)
+}
+
 fn rigid(scene: &Scene) -> Result<Box<dyn Tower>, Fault> {
-    let world = World::new(scene, Params::default()).map_err(|e| Fault::at(&scene.name, e))?;
-    Ok(Box::new(Rigid { world, carried: None }))
+    engine(scene, Form::Rigid)
+}
+
+fn engine(scene: &Scene, form: Form) -> Result<Box<dyn Tower>, Fault> {
+    let world = World::new(&Scene { form, ..scene.clone() }, Params::default()).map_err(|e| Fault::at(&scene.name, e))?;
+    Ok(Box::new(Engine { world, place: scene.springs.particles.place(), grasped: None, work: 0.0 }))
 }
 
 /// The dissertation's simulator.
-pub struct Springs(pub Jenga3D);
+pub struct Springs {
+    /// The simulator.
+    pub simulator: Jenga3D,
+    work: f64,
+}
 
 impl Springs {
     /// A scene with these constants.
     pub fn new(scene: &Scene, constants: Constants) -> Result<Self, Fault> {
-        Jenga3D::new(scene, constants).map(Self).map_err(|e| Fault::at(&scene.name, e))
+        let simulator = Jenga3D::new(scene, constants).map_err(|e| Fault::at(&scene.name, e))?;
+        Ok(Self { simulator, work: 0.0 })
     }
 }
 
 impl Tower for Springs {
     fn frame(&mut self, hand: Option<&Grasp>) {
         let hand = hand.map(|grasp| jenga3d::Hand { block: grasp.block, target: grasp.target });
-        self.0.frame(hand.as_ref());
+        let report = self.simulator.frame(hand.as_ref());
+        self.work = work::of_springs(&self.simulator, &report.tests);
     }
 
     fn len(&self) -> usize {
-        self.0.model.blocks.len()
+        self.simulator.model.blocks.len()
     }
 
     fn corners(&self, block: usize) -> [DVec3; 8] {
-        let first = self.0.model.blocks[block].corners().start;
-        std::array::from_fn(|c| self.0.curr[first + c].position)
+        let first = self.simulator.model.blocks[block].corners().start;
+        std::array::from_fn(|c| self.simulator.curr[first + c].position)
     }
 
     fn rests(&self, block: usize) -> bool {
-        !self.0.model.blocks[block].active
+        !self.simulator.model.blocks[block].active
+    }
+
+    fn work(&self) -> f64 {
+        self.work
     }
 
     fn throw(&mut self, block: usize, velocity: DVec3) {
-        self.0.throw(block, velocity);
+        self.simulator.throw(block, velocity);
     }
 }
 
-/// The engine with rigid blocks.
-struct Rigid {
+/// The engine, with blocks of either form.
+struct Engine {
     world: World,
-    /// The block that was carried in the last frame, and its orientation when it was taken up.
-    carried: Option<(u32, DQuat)>,
+    /// How far the particles of springs are from the centre, over how far the corners are.
+    place: f64,
+    /// The block that was in the hand in the last frame, and its orientation when it was grasped, which the hand keeps.
+    grasped: Option<(u32, DQuat)>,
+    work: f64,
 }
 
-impl Rigid {
+impl Engine {
     fn pose(&self, block: usize) -> (DVec3, DQuat) {
         let p = &self.world.poses()[7 * block..][..7];
         (DVec3::new(p[0], p[1], p[2]), DQuat::from_xyzw(p[3], p[4], p[5], p[6]))
     }
 }
 
-impl Tower for Rigid {
+impl Tower for Engine {
     fn frame(&mut self, hand: Option<&Grasp>) {
-        self.carried = match (hand, self.carried) {
-            (Some(grasp), Some((block, held))) if grasp.carried && grasp.block == block => Some((block, held)),
-            (Some(grasp), _) if grasp.carried => Some((grasp.block, self.pose(grasp.block as usize).1)),
-            _ => None,
-        };
+        self.grasped = hand.map(|grasp| match self.grasped {
+            Some((block, held)) if block == grasp.block => (block, held),
+            _ => (grasp.block, self.pose(grasp.block as usize).1),
+        });
         let hand = hand.map(|grasp| Hand {
             body: grasp.block,
             anchor: DVec3::ZERO,
             target: grasp.target,
-            orientation: self.carried.map(|(_, held)| held),
+            orientation: self.grasped.map(|(_, held)| held),
             grip: if grasp.carried { Grip::Carry } else { Grip::Slide },
             axis: DVec3::ZERO,
             max_force: Hand::default_force(),
             max_torque: Hand::default_torque(),
         });
-        self.world.step(&Input { hand, ..Input::default() });
+        let report = self.world.step(&Input { hand, ..Input::default() });
+        self.work = work::of_world(&self.world, &report);
     }
 
     fn len(&self) -> usize {
@@ -161,14 +199,29 @@ impl Tower for Rigid {
     }
 
     fn corners(&self, block: usize) -> [DVec3; 8] {
-        let (centre, turn) = self.pose(block);
-        let half = 0.5 * self.world.size(block as u32);
         let side = |c: usize, bit: usize| if c >> bit & 1 == 1 { 1.0 } else { -1.0 };
-        std::array::from_fn(|c| centre + turn * (half * DVec3::new(side(c, 0), side(c, 1), side(c, 2))))
+        let (centre, axes) = match self.world.lattice(block as u32) {
+            None => {
+                let (centre, turn) = self.pose(block);
+                let half = 0.5 * self.world.size(block as u32);
+                (centre, [turn * (half.x * DVec3::X), turn * (half.y * DVec3::Y), turn * (half.z * DVec3::Z)])
+            }
+            // Surfaces follow what is affine in the places of the particles, which stand within the block.
+            Some(springs) => {
+                let mean = |signed: &dyn Fn(usize) -> f64| (0..8).map(|c| springs.particles[c] * signed(c)).sum::<DVec3>() / 8.0;
+                (mean(&|_| 1.0), [0, 1, 2].map(|bit| mean(&|c| side(c, bit)) / self.place))
+            }
+        };
+        let [x, y, z] = axes;
+        std::array::from_fn(|c| centre + side(c, 0) * x + side(c, 1) * y + side(c, 2) * z)
     }
 
     fn rests(&self, block: usize) -> bool {
         self.world.asleep(block as u32)
+    }
+
+    fn work(&self) -> f64 {
+        self.work
     }
 
     fn throw(&mut self, block: usize, velocity: DVec3) {

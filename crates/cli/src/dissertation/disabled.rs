@@ -5,13 +5,13 @@ use rayon::prelude::*;
 use teeter_dissertation::jenga3d::{Constants, Disabling};
 use teeter_scene::{Scene, TowerOptions, tower};
 
-use super::column::{COLUMNS, Springs, Tower};
+use super::column::{COLUMNS, ENGINE, Springs, Tower};
 use super::page::table;
 use super::picture;
 use crate::fault::Fault;
 
 /// Experiments.
-pub const STEPS: u64 = 3;
+pub const STEPS: u64 = 2 + ENGINE.len() as u64;
 
 type Build = fn(&Scene) -> Result<Box<dyn Tower>, Fault>;
 
@@ -20,12 +20,16 @@ pub fn run(bar: &ProgressBar) -> Result<String, Fault> {
     let scene = tower(&TowerOptions { rows: 6, ..TowerOptions::default() }).map_err(|e| Fault::Said(e.to_string()))?;
     let by_rigid_motion: Build =
         |scene| Ok(Box::new(Springs::new(scene, Constants { disabling: Disabling::Rigid, ..Constants::default() })?));
-    let last = COLUMNS.len() - 1;
-    let cases: [(&str, Build); STEPS as usize] = [
+    let method = [
         ("2003 method, its rule (appendix 2.5)", COLUMNS[0].build),
         ("2003 method, by rigid motion over a quarter of a second", by_rigid_motion),
-        ("the engine: asleep", COLUMNS[last].build),
     ];
+    let engine = ENGINE.iter().map(|column| (column.name, column.build));
+    let cases: Vec<(String, Build)> = method
+        .map(|(name, build)| (name.to_owned(), build))
+        .into_iter()
+        .chain(engine.map(|(name, build)| (format!("engine, {name}: asleep"), build)))
+        .collect();
     let results: Vec<(Vec<String>, String)> = cases
         .par_iter()
         .map(|(name, build)| {
@@ -40,7 +44,7 @@ pub fn run(bar: &ProgressBar) -> Result<String, Fault> {
                 (sum, least, most) = (sum + resting, least.min(resting), most.max(resting));
             }
             bar.inc(1);
-            let row = vec![(*name).to_owned(), format!("{:.1}", sum as f64 / LOOKS as f64), format!("{least} to {most}")];
+            let row = vec![name.clone(), format!("{:.1}", sum as f64 / LOOKS as f64), format!("{least} to {most}")];
             Ok((row, picture::of(tower.as_ref(), 0.11, true, name)))
         })
         .collect::<Result<_, Fault>>()?;

@@ -42,13 +42,13 @@ fn highest(points: &[(f64, f64)], least: f64) -> String {
 /// Runs it.
 pub fn run(bar: &ProgressBar) -> Result<String, Fault> {
     let mut lines = Vec::new();
-    for (column, colour) in COLUMNS.iter().zip(["#b5482f", "#2f6fb5", "#3f8f4f"]) {
+    for column in COLUMNS {
         let mut points = Vec::new();
         for rows in ROWS {
             points.push((f64::from(rows), rate(column, rows)?));
             bar.inc(1);
         }
-        lines.push(Line { name: column.name, colour, points });
+        lines.push(Line { name: column.name, colour: column.colour, points });
     }
     let row = |n: usize| {
         let rates = lines.iter().map(|line| format!("{:.0}", line.points[n].1));

@@ -3,7 +3,7 @@
 use glam::DVec3;
 use indicatif::ProgressBar;
 use rayon::prelude::*;
-use teeter_scene::{BlockPreset, named};
+use teeter_scene::{BlockPreset, TowerOptions, loose};
 
 use super::column::{COLUMNS, Column, FRAMES, Grasp, Tower};
 use super::page::{mm, table_of_words};
@@ -19,8 +19,11 @@ pub enum Act {
     Put(usize, usize, f64),
 }
 
-const SLOWLY: f64 = 0.03;
-const QUICKLY: f64 = 0.3;
+/// A loose block drawn out in a second or two.
+const SLOWLY: f64 = 0.05;
+/// A flick of the hand. A block that bears load drags what lies on it for as long as it slides, L / v, and so by about a L² / (2 v²), with a the
+/// acceleration by its friction: some 2 m/s² where 4-3 has half of the tower above it. That is 2 mm at 2 m/s, and 70 mm at 0.3 m/s.
+const QUICKLY: f64 = 2.0;
 /// How high a block is let go that is laid down.
 const LAID: f64 = 2e-4;
 
@@ -58,6 +61,10 @@ pub const MOVES: [Move; 12] = [
 /// Experiments.
 pub const STEPS: u64 = (MOVES.len() * COLUMNS.len()) as u64;
 
+/// The loose blocks, with 2-1 among them: step 9 takes it "slowly" and calls it loose, the real tower does not move, and the simulated one is
+/// "weighed down on the loose block", which needs no saying of one that bears load. The printed map has (00L) for the second row.
+const LOOSE: &str = "(L00)-(L0L)-(00L)-(0L0)-(L0L)-(LLL)";
+
 /// What a move did.
 #[derive(Debug, Clone, Copy)]
 pub struct Outcome {
@@ -71,17 +78,26 @@ pub struct Outcome {
     pub stands: bool,
 }
 
-/// Plays the first `count` moves, calling `look` after each.
+/// Plays the first `count` moves, calling `look` after each, and stops when the tower has fallen.
 pub fn play(column: &Column, count: usize, mut look: impl FnMut(&dyn Tower, Outcome)) -> Result<(), Fault> {
-    let scene = named("loose").ok_or("there is no scene `loose`")?;
+    let scene = loose(LOOSE, &TowerOptions::exact()).map_err(|e| Fault::Said(e.to_string()))?;
     let mut game =
         Game { tower: (column.build)(&scene)?, places: (0..6).map(|r| [0, 1, 2].map(|c| Some(3 * r + c))).collect(), held: None };
     game.tower.rest(60);
     for Move { act, .. } in &MOVES[..count] {
         let outcome = game.play(*act);
         look(game.tower.as_ref(), outcome);
+        if !outcome.stands {
+            break;
+        }
     }
     Ok(())
+}
+
+/// Where the player is who looks at the ends of the blocks of a row, and sees its places from left to right: to the right of the corner
+/// that shows both kinds of ends, for the rows that lie along x.
+fn towards_player(row: usize) -> DVec3 {
+    if row.is_multiple_of(2) { DVec3::X } else { -DVec3::Y }
 }
 
 /// A tower in play.
@@ -111,11 +127,13 @@ impl Game {
         Outcome { furthest, mean: moves.iter().sum::<f64>() / moves.len() as f64, off, stands }
     }
 
-    /// Takes a block out of its place along itself, and gives it and how far it lags behind the hand at the end.
+    /// Takes a block out of its place towards the player, along its own length as it lies, and gives it and how far it lags behind the hand
+    /// at the end. Drawn level, a block of a tower that leans is lifted against what lies on it.
     fn take(&mut self, row: usize, place: usize, speed: f64) -> (usize, f64) {
         let block = self.places[row][place].take().expect("the moves take what is there");
         let start = self.tower.centre(block);
-        let along = if row.is_multiple_of(2) { DVec3::X } else { DVec3::Y };
+        let along = self.tower.along(block);
+        let along = along * along.dot(towards_player(row)).signum();
         let length = BlockPreset::Dissertation.size()[0];
         self.held = Some((block, start));
         self.go(start + (length + 0.01) * along, speed, false);
@@ -125,20 +143,40 @@ impl Game {
         (block, self.tower.centre(block).distance(hand))
     }
 
+    /// Where a block rests in a place, m, on the tower as it now stands: as far as it should be from its neighbour in the row, or from the
+    /// middle of the row below, and as high as the highest block of that row.
+    fn rest(&self, row: usize, place: usize) -> DVec3 {
+        let (height, pitch) = (BlockPreset::Dissertation.size()[2], BlockPreset::Dissertation.pitch());
+        let blocks = |row: usize| self.places.get(row).into_iter().flatten().enumerate().filter_map(|(n, b)| b.map(|b| (n, b)));
+        let level = |v: DVec3| DVec3::new(v.x, v.y, 0.0).normalize_or_zero();
+        // Along a block towards the player, and to the player's right, where the higher places are.
+        let axes = |row: usize, block: usize| {
+            let along = level(self.tower.along(block));
+            let along = along * along.dot(towards_player(row)).signum();
+            (along, DVec3::Z.cross(along))
+        };
+        let below: Vec<DVec3> = blocks(row - 1)
+            .map(|(n, b)| {
+                let (along, across) = axes(row - 1, b);
+                let from_axis = place as f64 - 1.0;
+                // The right of one row is where the other's player is, or is not.
+                let along = if row.is_multiple_of(2) { -along } else { along };
+                self.tower.centre(b) + (1.0 - n as f64) * pitch * across + from_axis * pitch * along
+            })
+            .collect();
+        let beside = blocks(row).map(|(n, b)| self.tower.centre(b) + (place as f64 - n as f64) * pitch * axes(row, b).1).next();
+        let middle = beside.unwrap_or_else(|| below.iter().sum::<DVec3>() / below.len() as f64);
+        let highest = blocks(row - 1).map(|(_, b)| self.tower.centre(b).z).fold(0.0, f64::max);
+        DVec3::new(middle.x, middle.y, highest + height)
+    }
+
     /// Lays or drops the block in hand on its place, and gives it and how far it ends from there sideways.
     fn put(&mut self, row: usize, place: usize, above: f64) -> (usize, f64) {
         let (block, hand) = self.held.expect("the moves put what was taken");
-        let top = self.tower.top(&|b| b != block);
-        let [_, _, height] = BlockPreset::Dissertation.size();
-        let aside = (place as f64 - 1.0) * BlockPreset::Dissertation.pitch();
-        let to = if row.is_multiple_of(2) { DVec3::new(0.0, aside, 0.0) } else { DVec3::new(aside, 0.0, 0.0) };
-        // On a row that has begun, beside its blocks; on a full one, upon it.
-        let begun = self.places.get(row).is_some_and(|r| r.iter().flatten().count() > 0);
-        let support = if begun { top - height } else { top };
-        let rest = to + (support + 0.5 * height) * DVec3::Z;
-        let over = top + 0.05;
+        let rest = self.rest(row, place);
+        let over = self.tower.top(&|b| b != block) + 0.05;
         self.go(DVec3::new(hand.x, hand.y, over), 0.25, true);
-        self.go(DVec3::new(to.x, to.y, over), 0.25, true);
+        self.go(DVec3::new(rest.x, rest.y, over), 0.25, true);
         self.wait(20);
         self.go(rest + above * DVec3::Z, SLOWLY, true);
         if above > LAID {
@@ -185,6 +223,7 @@ pub fn run(bar: &ProgressBar) -> Result<String, Fault> {
                 outcomes.push(outcome);
                 bar.inc(1);
             })?;
+            bar.inc((MOVES.len() - outcomes.len()) as u64);
             Ok((outcomes, pictures))
         })
         .collect::<Result<_, Fault>>()?;
@@ -197,18 +236,27 @@ pub fn run(bar: &ProgressBar) -> Result<String, Fault> {
         .enumerate()
         .map(|(n, m)| {
             let said = [format!("{}. {}", n + 1, m.text), m.real.to_owned(), m.simulated.to_owned()];
-            said.into_iter().chain(played.iter().map(|(outcomes, _)| cell(&outcomes[n]))).collect()
+            said.into_iter().chain(played.iter().map(|(outcomes, _)| outcomes.get(n).map_or_else(String::new, cell))).collect()
         })
         .collect();
     let head: Vec<&str> =
         ["move", "real tower (dissertation)", "its simulator"].into_iter().chain(COLUMNS.iter().map(|c| c.name)).collect();
     let pictures: String = (0..MOVES.len())
-        .map(|n| format!("<h3>{}. {}</h3>{}", n + 1, MOVES[n].text, played.iter().map(|(_, p)| p[n].as_str()).collect::<String>()))
+        .map(|n| {
+            format!(
+                "<h3>{}. {}</h3>{}",
+                n + 1,
+                MOVES[n].text,
+                played.iter().filter_map(|(_, p)| p.get(n).map(String::as_str)).collect::<String>()
+            )
+        })
         .collect();
     Ok(format!(
-        "<p>Six rows with the loose blocks (L00)-(00L)-(00L)-(0L0)-(L0L)-(LLL), loose by 0.2 mm. Movement of the tower by each move in mm: of the block that \
-         went furthest, in brackets the mean; then how far the block in hand ended from the hand or from its place. 2-1 is called loose in step 9, where \
-         the map has it bearing load.</p>{}{pictures}",
+        "<p>Six rows with the loose blocks {LOOSE}, loose by 0.2 mm; 2-1 is among them, which step 9 calls loose and the printed map does not. Slowly \
+         is {:.0} cm/s, quickly {QUICKLY:.0} m/s, towards the player at the right of the corner in the pictures or at its left. Movement of the tower by \
+         each move in mm: of the block that went furthest, in brackets the mean; then how far the block in hand ended from the hand or from its \
+         place. A column ends where its tower has fallen.</p>{}{pictures}",
+        1e2 * SLOWLY,
         table_of_words(&head, &rows)
     ))
 }

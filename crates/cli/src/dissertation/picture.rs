@@ -44,7 +44,7 @@ fn draw(tower: &dyn Tower, height: f64, mark_rest: bool) -> Raster {
     let mut raster = Raster { width, height: tall, colours: vec![BACKGROUND; width * tall], depths: vec![f64::INFINITY; width * tall] };
     let reach = height.max(0.1);
     let camera =
-        Camera { target: DVec3::new(0.0, 0.0, 0.45 * height), distance: 8.0 * reach, azimuth: 0.9, elevation: 0.35, half_height: 0.12 };
+        Camera { target: DVec3::new(0.0, 0.0, 0.45 * height), distance: 8.0 * reach, azimuth: -0.67, elevation: 0.35, half_height: 0.12 };
     let corner = |x: f64, y: f64| DVec3::new(x * reach, y * reach, -1e-4);
     let floor = [corner(-0.7, -0.7), corner(0.7, -0.7), corner(0.7, 0.7), corner(-0.7, 0.7)];
     raster.triangle(&camera, [floor[0], floor[1], floor[2]], FLOOR);

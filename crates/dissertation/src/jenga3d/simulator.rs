@@ -6,7 +6,7 @@ use super::block::create_block;
 use super::collide::{Collider, Field};
 use super::constants::Constants;
 use super::contact::{Contact, FLOOR};
-use super::counters::StepCounts;
+use super::counters::{Counters, StepCounts};
 use super::disable::{self, Disabling, Watch};
 use super::floor;
 use super::forces::{Sources, compute_forces};
@@ -38,6 +38,8 @@ pub enum BuildError {
 pub struct FrameReport {
     /// Tests of its last step.
     pub last: StepCounts,
+    /// Tests of all its steps.
+    pub tests: Counters,
     /// Most rounds that any call of `CollideBlocks` took.
     pub most_sweeps: u32,
     /// Rounds of all calls.
@@ -107,6 +109,7 @@ impl Jenga3D {
             report.most_sweeps = report.most_sweeps.max(counts.sweeps);
             report.sweeps += u64::from(counts.sweeps);
             report.unresolved += counts.unresolved;
+            report.tests += counts.all;
             report.last = counts;
         }
         report
