@@ -64,7 +64,7 @@ pub fn run(bar: &ProgressBar) -> Result<String, Fault> {
         let mut row = vec![format!("{}: {configuration}", t + 1), word(*printed).to_owned()];
         pictures += &format!("<h3>Test {}: {configuration}</h3>", t + 1);
         for (_, (stood, moved, picture)) in jobs.iter().zip(&results).filter(|((test, _), _)| *test == t) {
-            row.push(format!("{} ({} mm)", word(*stood), super::page::mm(*moved)));
+            row.push(format!("{} ({}&nbsp;mm)", word(*stood), super::page::mm(*moved)));
             pictures += picture;
         }
         rows.push(row);
