@@ -59,7 +59,8 @@ fn what_boxes_leave_as_listed() {
         // "About 4-5 times more than the actual amount of collisions" (5.4.1).
         assert!((3..6).contains(&(listed[3] / listed[4])), "{listed:?}");
         assert!(listed[2] > 5 * meant[2], "{listed:?} {meant:?}");
-        assert_eq!(listed[4], meant[4]);
+        // The same but for corners that pass a face by less than the tolerance.
+        assert!(listed[4].abs_diff(meant[4]) <= 1, "{listed:?} {meant:?}");
     }
 }
 

@@ -47,7 +47,7 @@ pub struct Constants {
     pub culling: Culling,
     /// Whether the boxes of corners and faces are compared as Figure 5.5 lists it: its first inner loop goes over the corners p1 of the first
     /// block and the faces f2 of the second, but compares p2 with f1, which says nothing of the two at hand, so that every corner is left
-    /// for each face that meets the other block. It costs tests and changes no result.
+    /// for each face that meets the other block. It costs tests, and finds no more than corners that pass a face by less than `tolerance`.
     pub listed_boxes: bool,
     /// Whether pairs neither of whose blocks has changed are passed over within a step. It saves tests and changes no result.
     pub skip_unchanged: bool,
