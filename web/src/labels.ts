@@ -54,14 +54,16 @@ export class Labels {
   private places: (Place | null)[] = [];
   private lookedAt = 0;
   private stale = false;
-  /** Number of figures that are seen. */
+  /** Number of figures that are seen, */
   shown = 0;
+  /** and of those for which their face is too small on the screen. */
+  cramped = 0;
 
   /** Writes a label on each block, none on those where it is null; null takes all away. */
   set(labels: (Label | null)[] | null): void {
     this.labels = labels ?? [];
     this.element.hidden = labels === null;
-    this.shown = 0;
+    this.shown = this.cramped = 0;
     while (this.spans.length > this.labels.length) this.spans.pop()!.remove();
     while (this.spans.length < this.labels.length) this.spans.push(this.element.appendChild(document.createElement('span')));
     this.labels.forEach((label, body) => {
@@ -84,7 +86,7 @@ export class Labels {
       this.stale = false;
       this.places = this.labels.map((label, body) => (label ? look(bodies, orbit, body) : null));
     }
-    this.shown = 0;
+    this.shown = this.cramped = 0;
     this.places.forEach((place, body) => this.put(place, body, bodies, orbit, width, height));
   }
 
@@ -103,7 +105,10 @@ export class Labels {
     // Where there is no room for it the nought before the point is left out.
     const fitting = room / text.length < FONT.least ? text.replace(/^0\./, '.') : text;
     const font = Math.floor(Math.min(FONT.most, (2 * FILL * area) / wide, room / fitting.length));
-    if (!(font >= FONT.least)) return;
+    if (!(font >= FONT.least)) {
+      this.cramped += 1;
+      return;
+    }
     if (span.textContent !== fitting) span.textContent = fitting;
     span.hidden = false;
     // Whole and even sizes: text and frame are rounded alike.

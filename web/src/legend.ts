@@ -51,8 +51,8 @@ export interface XRayState {
   paused: boolean;
   /** The block that is pointed at or was tapped. */
   asked: number | null;
-  /** Whether figures are seen on any block. */
-  legible: boolean;
+  /** Number of figures for which there is no room on the screen. */
+  cramped: number;
 }
 
 export class XRayLegend {
@@ -72,11 +72,11 @@ export class XRayLegend {
     get('xray-ticks').replaceChildren(...ticks);
   }
 
-  show({ on, readings, paused, asked, legible }: XRayState): void {
+  show({ on, readings, paused, asked, cramped }: XRayState): void {
     const loose = readings?.filter(isLoose).length ?? 0;
     const count = readings ? `${loose} of ${readings.length} loose` : paused ? 'paused in motion' : 'settling…';
     const askew = readings?.some(({ pull }) => pull === null) ? 'Grey: not lying level.' : '';
-    const hint = readings && !legible ? 'Come closer for the figures.' : askew;
+    const hint = readings && cramped > 0 ? 'Come closer for more figures.' : askew;
     const told = readings && asked !== null ? tell(asked, readings[asked]) : hint;
     const shown = JSON.stringify([on, count, told]);
     if (shown === this.shown) return;

@@ -193,7 +193,7 @@ function start(): void {
   function showLegend(): void {
     legend.show(watching, form.value === 'lattice' ? forces.end : null);
     const asked = hand.hold ? null : (pointers.hovered ?? hand.selected);
-    xrayLegend.show({ on: xraying, readings: xray, paused, asked, legible: labels.shown > 0 });
+    xrayLegend.show({ on: xraying, readings: xray, paused, asked, cramped: labels.cramped });
   }
 
   function forgetXRay(): void {
