@@ -2,6 +2,7 @@
 
 import { Quaternion, Vector3 } from 'three';
 import type { Bodies } from './bodies';
+import { POSE_STRIDE } from './protocol';
 
 export interface Hit {
   body: number;
@@ -18,6 +19,7 @@ export interface Hit {
 export function pick(bodies: Bodies, origin: Vector3, direction: Vector3): Hit | null {
   let best: Hit | null = null;
   for (let body = 0; body < bodies.count; body++) {
+    if (!mayMeet(bodies, body, origin, direction)) continue;
     // In the block as it was made: a map that keeps lines keeps the distances along them too, in parts of the ray.
     const back = bodies.axes(body).invert();
     const o = origin.clone().sub(bodies.position(body)).applyMatrix3(back);
@@ -45,6 +47,19 @@ export function pick(bodies: Bodies, origin: Vector3, direction: Vector3): Hit |
     best = { body, distance: near, point, anchor: bodies.toLocal(body, point), normal };
   }
   return best;
+}
+
+/** How far strain may take a corner, over where it was made. */
+const STRAINED = 2;
+
+/** Whether a ray (unit direction) passes through the ball around a block: most do not, and that is told at once. */
+function mayMeet({ shown, sizes }: Bodies, body: number, origin: Vector3, direction: Vector3): boolean {
+  const at = POSE_STRIDE * body;
+  const [x, y, z] = [shown[at] - origin.x, shown[at + 1] - origin.y, shown[at + 2] - origin.z];
+  const along = x * direction.x + y * direction.y + z * direction.z;
+  const [a, b, c] = [sizes[3 * body], sizes[3 * body + 1], sizes[3 * body + 2]];
+  const radius = (STRAINED / 2) * Math.sqrt(a * a + b * b + c * c);
+  return x * x + y * y + z * z - along * along <= radius * radius;
 }
 
 function inside(bodies: Bodies, body: number, point: Vector3): boolean {
@@ -97,6 +112,16 @@ export function nearestAlike(wanted: Quaternion, current: Quaternion): Quaternio
     if (alike.angleTo(current) < best.angleTo(current)) best = alike;
   }
   return best;
+}
+
+/**
+ * The direction in which a hand draws a block out of the tower: its own long axis, which leans with the tower. Drawn level, a leaning block is lifted
+ * against what lies above it or pressed on what bears it. A block that leans by more than `limit` rad is in no row, and is drawn level.
+ */
+export function drawn(turn: Quaternion, limit = 0.3): Vector3 {
+  const axis = new Vector3(1, 0, 0).applyQuaternion(turn);
+  if (Math.abs(axis.z) < Math.sin(limit)) return axis;
+  return Math.hypot(axis.x, axis.y) > 1e-3 ? axis.setZ(0).normalize() : new Vector3(1, 0, 0);
 }
 
 /** The nearest turn to `current` in which the block lies flat, if it is within `limit` rad; `current` itself if not. */

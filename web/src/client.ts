@@ -1,11 +1,12 @@
 // The page's end of the worker.
 
-import type { Answer, Built, Form, Frame, FromWorker, Question, SceneEntry, Setup, ToWorker, Wish } from './protocol';
+import type { Answer, Built, Form, Frame, FromWorker, Question, SceneEntry, Setup, ToWorker, Wish, XRay } from './protocol';
 
 export interface Listener {
   scenes(list: SceneEntry[]): void;
   built(world: Built): void;
   frame(frame: Frame): void;
+  xray(xray: XRay): void;
   refused(message: string): void;
   failed(message: string): void;
 }
@@ -45,9 +46,9 @@ export class Client {
     this.send({ type: 'form', world: this.world, form, springs });
   }
 
-  /** Says whether the springs are looked at. */
-  watch(springs: boolean): void {
-    this.send({ type: 'watch', springs });
+  /** Says whether the springs are looked at, and whether the X-ray is. */
+  watch(springs: boolean, xray: boolean): void {
+    this.send({ type: 'watch', springs, xray });
   }
 
   ask<Q extends Question>(question: Q): Promise<Answer<Q>> {
@@ -69,6 +70,9 @@ export class Client {
         return;
       case 'frame':
         if (message.world === this.world) this.listener.frame(message);
+        return;
+      case 'xray':
+        if (message.world === this.world) this.listener.xray(message);
         return;
       case 'refused':
         return this.listener.refused(message.message);

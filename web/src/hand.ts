@@ -3,7 +3,7 @@
 import { Quaternion, Vector3 } from 'three';
 import { approach } from './approach';
 import type { Bodies } from './bodies';
-import { isFree, levelled, type Hit } from './boxes';
+import { drawn, isFree, levelled, type Hit } from './boxes';
 import type { Client } from './client';
 import { axisWay, slideWay, type Lever } from './drag';
 import { columnUnder, isClear, keepClear } from './guard';
@@ -116,8 +116,8 @@ export class Hand {
     } else if (hold.grip === 'push') {
       hold.wish.addScaledVector(hold.axis, axisWay(dx, dy, this.lever(hold.wish, hold.axis), scale));
     } else {
-      const along = this.longAxis(hold.body);
-      const across = UP.clone().cross(along);
+      const along = drawn(this.bodies.turn(hold.body, this.bodies.newest));
+      const across = UP.clone().cross(along).normalize();
       const way = slideWay(dx, dy, this.lever(hold.wish, along), this.lever(hold.wish, across), scale);
       hold.wish.addScaledVector(along, way.along).addScaledVector(across, way.across);
     }

@@ -22,6 +22,8 @@ export interface Inspect {
   readonly springs: number | null;
   /** The springs view: whether it is on, how many springs it shows, and the force at the end of its scale, N. */
   readonly view: { springs: boolean; shown: number; scale: number };
+  /** The X-ray: whether it is on, force that starts each block and normal force on its upper face (N; null while the tower moves), and what is written on blocks that are seen. */
+  readonly xray: { on: boolean; pulls: (number | null)[] | null; loads: number[] | null; shown: number };
   /** Seven numbers a body: position (m), orientation (x, y, z, w). */
   readonly poses: number[];
   /** Three numbers a body, m. */

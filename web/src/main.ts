@@ -7,7 +7,8 @@ import { Hand, holding } from './hand';
 import type { Inspect } from './inspect';
 import { listen } from './keys';
 import { greatest, Lattices } from './lattice';
-import { Legend } from './legend';
+import { Labels } from './labels';
+import { Legend, XRayLegend } from './legend';
 import { Notice, trouble } from './notice';
 import { Orbit } from './orbit';
 import { Blend, Rate } from './pacing';
@@ -21,11 +22,14 @@ import { ForceScale } from './scale';
 import { squash } from './squash';
 import { Verdict, type State } from './verdict';
 import { View } from './view';
+import { channels, colourOf, forceText, isDark, isLoose, NO_COLOUR, readings, type Reading } from './xray';
 
 /** Length of the force's arrow, px/N. */
 const ARROW = 22;
 /** Direction of the first view, rad: a corner, so that ends and sides are seen. */
 const FIRST_AZIMUTH = -0.95;
+/** Part of the wood that the X-ray stains: at rest, and while what it told is no longer so. */
+const STAIN = { known: 0.92, past: 0.3 };
 /** Time between readouts, s. */
 const READOUT = 0.25;
 
@@ -67,6 +71,11 @@ function start(): void {
   const forces = new ForceScale();
   /** Whether the springs are to be seen. */
   let watching = false;
+  /** Whether the X-ray is to be seen. */
+  let xraying = false;
+  /** What it says of each block; null while the tower moves. */
+  let xray: Reading[] | null = null;
+  const labels = new Labels();
   /** Whether forces have changed since they were drawn. */
   let tensed = false;
 
@@ -77,6 +86,7 @@ function start(): void {
     },
     built,
     frame: arrive,
+    xray: ({ forces }) => showXRay(forces && bodies ? readings(forces, bodies) : null),
     refused: message => notice.say(`This scene cannot be built: ${message}`, 8),
     failed: message => trouble(`The physics stopped: ${message}. Loading the page again starts anew.`),
   });
@@ -97,9 +107,10 @@ function start(): void {
     tip: () => hand.tip(),
     letGo: () => hand.letGo(),
     form: (next, stiffness) => client.form(next, stiffness),
-    springs: watch,
+    springs: on => watch(on, false),
   });
-  const legend = new Legend({ toggle: () => watch(!watching), useSprings: () => panel.chooseForm('lattice') });
+  const legend = new Legend({ toggle: () => watch(!watching, false), useSprings: () => panel.chooseForm('lattice') });
+  const xrayLegend = new XRayLegend(() => watch(false, !xraying));
   const frameTower = () => orbit.frame(bodies?.top() ?? 0.33);
   const pointers = new Pointers(canvas, hand, orbit, () => bodies, frameTower);
   listen(hand, orbit, {
@@ -111,7 +122,8 @@ function start(): void {
     },
     place: () => hand.place(),
     help: () => panel.openHelp(),
-    springs: () => watch(!watching),
+    springs: () => watch(!watching, false),
+    xray: () => watch(false, !xraying),
     busy: () => panel.busy(),
   });
 
@@ -137,6 +149,7 @@ function start(): void {
     slowSince = 0;
     hand.begin(bodies);
     view.begin(bodies);
+    forgetXRay();
     orbit.frame(bodies.top(), first ? FIRST_AZIMUTH : undefined);
     if (paused) setPaused(false);
   }
@@ -166,9 +179,12 @@ function start(): void {
     panel.setForm(form, springs);
   }
 
-  function watch(next: boolean): void {
-    watching = next;
-    client.watch(watching);
+  /** Springs are seen in glass and the X-ray on wood: there is one of them at a time. */
+  function watch(springs: boolean, through: boolean): void {
+    watching = springs;
+    xraying = through;
+    forgetXRay();
+    client.watch(watching, xraying);
     panel.setWatching(watching);
     showLegend();
     view.invalidate();
@@ -176,6 +192,28 @@ function start(): void {
 
   function showLegend(): void {
     legend.show(watching, form.value === 'lattice' ? forces.end : null);
+    const asked = hand.hold ? null : (pointers.hovered ?? hand.selected);
+    xrayLegend.show({ on: xraying, readings: xray, paused, asked, cramped: labels.cramped });
+  }
+
+  function forgetXRay(): void {
+    xray = null;
+    labels.set(null);
+    view.stain(null);
+  }
+
+  /** Takes in what the X-ray says; while the tower moves its figures are gone and its colours fade. */
+  function showXRay(next: Reading[] | null): void {
+    if (!xraying) return;
+    const known = next ?? xray;
+    const colours = known?.map(({ pull }) => (pull === null ? channels(NO_COLOUR) : colourOf(pull))) ?? null;
+    view.stain(colours, next ? STAIN.known : STAIN.past);
+    const written = next?.map(reading =>
+      reading.pull === null ? null : { text: forceText(reading.pull), dark: isDark(reading.pull), marked: isLoose(reading) },
+    );
+    labels.set(written ?? null);
+    xray = next;
+    showLegend();
   }
 
   /** Says so when time has been slow for a second, and when it no longer is. */
@@ -256,7 +294,9 @@ function start(): void {
     }
     panel.setCarrying(hand.hold?.grip === 'carry' && !hand.hold.placing);
     if (options.render === 'once' && now - drawnAt < 1) return;
-    if (!view.follow(bodies, change) && !moved && !marked && !tensed && drawnAt > 0) return;
+    const followed = view.follow(bodies, change);
+    labels.follow(bodies, orbit, { width: canvas.clientWidth, height: canvas.clientHeight }, followed || moved, now);
+    if (!followed && !moved && !marked && !tensed && drawnAt > 0) return;
     tensed = false;
     const before = performance.now();
     view.draw();
@@ -349,6 +389,9 @@ function start(): void {
     },
     get view() {
       return { springs: watching, shown: view.springsShown, scale: forces.end };
+    },
+    get xray() {
+      return { on: xraying, pulls: xray?.map(r => r.pull) ?? null, loads: xray?.map(r => r.load) ?? null, shown: labels.shown };
     },
     get quality() {
       return quality.tier.name;

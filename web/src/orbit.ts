@@ -6,6 +6,8 @@ const LOWEST = MathUtils.degToRad(1);
 const HIGHEST = MathUtils.degToRad(89);
 const NEAREST = 0.12;
 const FARTHEST = 4;
+/** Widest picture (px) in which controls are above and below the tower and not beside it, and the heights that they take (px). */
+const NARROW = { width: 620, above: 120, below: 150 };
 /** Time in which the camera makes up most of its lag, s. */
 const EASE = 0.07;
 
@@ -21,6 +23,8 @@ export class Orbit {
   private goal: View = { azimuth: -0.9, elevation: 0.35, distance: 1, height: 0.15 };
   private now: View = { ...this.goal };
   private top = 0.33;
+  /** Part of the picture's height that no control takes. */
+  private free = 1;
 
   constructor(private readonly calm: boolean) {
     this.camera.up.set(0, 0, 1);
@@ -37,6 +41,7 @@ export class Orbit {
 
   resize(width: number, height: number): void {
     this.camera.aspect = width / height;
+    this.free = width > NARROW.width ? 1 : Math.max(0.4, 1 - (NARROW.above + NARROW.below) / height);
     this.camera.updateProjectionMatrix();
   }
 
@@ -66,7 +71,7 @@ export class Orbit {
     this.top = top;
     const tan = Math.tan(MathUtils.degToRad(this.camera.fov / 2));
     // Room for a new row and for the hand above it, and for the panel beside it.
-    const tall = (top + 0.12) / 2;
+    const tall = Math.max((top + 0.12) / 2, (top + 0.04) / 2 / this.free);
     const wide = 0.13;
     this.goal = {
       azimuth: azimuth ?? this.goal.azimuth,

@@ -134,6 +134,14 @@ export interface Built {
   place: number;
 }
 
+/** What the contacts of a tower at rest say of its blocks, told once when rest has begun and once when it has ended. */
+export interface XRay {
+  type: 'xray';
+  world: number;
+  /** Two numbers a body, as xray.ts has them; null while the tower moves. */
+  forces: Float32Array | null;
+}
+
 export type Question = { what: 'hash' } | { what: 'contacts'; body: number };
 export type Answer<Q extends Question> = Q extends { what: 'hash' } ? { hash: string; time: number } : Contact[];
 
@@ -143,14 +151,15 @@ export type ToWorker =
   | { type: 'pause'; paused: boolean }
   /** What the blocks of the running tower are to become; `springs` as in [`Setup`]. */
   | { type: 'form'; world: number; form: Form; springs: number | null }
-  /** Whether the springs are looked at. */
-  | { type: 'watch'; springs: boolean }
+  /** Whether the springs are looked at, and whether the X-ray is. */
+  | { type: 'watch'; springs: boolean; xray: boolean }
   | { type: 'ask'; id: number; question: Question };
 
 export type FromWorker =
   | { type: 'scenes'; list: SceneEntry[] }
   | Built
   | Frame
+  | XRay
   | { type: 'answer'; id: number; value: unknown }
   /** The scene could not be built; the world before it stays. */
   | { type: 'refused'; world: number; message: string }

@@ -152,6 +152,11 @@ export class Simulator {
     return view.slice();
   }
 
+  /** What each body carries and how tight it is, two numbers a body as xray.ts has them. */
+  xray(): Float32Array {
+    return Float32Array.from(this.simulation.xray());
+  }
+
   hash(): string {
     return this.simulation.hash();
   }

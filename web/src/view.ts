@@ -2,6 +2,7 @@
 
 import {
   BasicShadowMap,
+  Color,
   DirectionalLight,
   DynamicDrawUsage,
   HemisphereLight,
@@ -10,6 +11,7 @@ import {
   Matrix4,
   NeutralToneMapping,
   Scene,
+  SRGBColorSpace,
   Vector3,
   WebGLRenderer,
   type BufferGeometry,
@@ -100,6 +102,7 @@ export class View {
     }
     geometry.setAttribute('seed', new InstancedBufferAttribute(seeds, 4));
     geometry.setAttribute('scale3', new InstancedBufferAttribute(scales, 3));
+    geometry.setAttribute('tint', new InstancedBufferAttribute(new Float32Array(4 * bodies.count), 4));
     this.mesh = new InstancedMesh(geometry, this.wood.material, bodies.count);
     this.mesh.instanceMatrix.setUsage(DynamicDrawUsage);
     this.mesh.frustumCulled = false;
@@ -150,6 +153,20 @@ export class View {
     if (clear === this.clear) return;
     this.clear = this.glass.edges.visible = clear;
     this.sun.shadow.intensity = clear ? SHADOW.glass : SHADOW.wood;
+    this.stale = true;
+  }
+
+  /** Stains each block with its colour (red, green and blue as on the screen) by a part from 0 to 1; null leaves wood. */
+  stain(colours: [number, number, number][] | null, part = 1): void {
+    const tint = this.mesh?.geometry.getAttribute('tint');
+    if (!tint) return;
+    const colour = new Color();
+    for (let body = 0; body < tint.count; body++) {
+      const [r, g, b] = colours?.[body] ?? [0, 0, 0];
+      colour.setRGB(r, g, b, SRGBColorSpace);
+      tint.setXYZW(body, colour.r, colour.g, colour.b, colours ? part : 0);
+    }
+    tint.needsUpdate = true;
     this.stale = true;
   }
 

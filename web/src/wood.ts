@@ -121,7 +121,10 @@ export interface WoodMaterial {
   setDirections(directions: number): void;
 }
 
-/** Material for an instanced mesh with attributes `seed` (vec4, 0 to 1) and `scale3` (vec3, the block's size over the geometry's). */
+/**
+ * Material for an instanced mesh with attributes `seed` (vec4, 0 to 1), `scale3` (vec3, the block's size over the geometry's) and `tint` (vec4, a colour that
+ * stains the wood, and how much of it; linear).
+ */
 export function woodMaterial(span: ShadowSpan): WoodMaterial {
   const material = new MeshStandardMaterial({ roughness: 0.6, metalness: 0, dithering: true });
   material.defines = { ...material.defines, SKY_DIRECTIONS: 7, ...shadowDefines(7) };
@@ -135,6 +138,8 @@ export function woodMaterial(span: ShadowSpan): WoodMaterial {
         `#include <common>
         attribute vec4 seed;
         attribute vec3 scale3;
+        attribute vec4 tint;
+        varying vec4 vTint;
         varying vec3 vGrain;
         varying vec3 vFace;
         varying vec4 vSeed;
@@ -147,6 +152,7 @@ export function woodMaterial(span: ShadowSpan): WoodMaterial {
         vGrain = position * scale3;
         vFace = normal;
         vSeed = seed;
+        vTint = tint;
         vSpot = (instanceMatrix * vec4(position, 1.0)).xyz;
         vOut = normalize(mat3(instanceMatrix) * normal);`,
       );
@@ -154,20 +160,27 @@ export function woodMaterial(span: ShadowSpan): WoodMaterial {
       .replace(
         '#include <common>',
         `#include <common>
+        varying vec4 vTint;
         varying vec3 vGrain;
         varying vec3 vFace;
         varying vec4 vSeed;
         varying vec3 vSpot;
         varying vec3 vOut;
         ${occlusionShader}
-        ${woodShader}`,
+        ${woodShader}
+        // A stain tells a number: part of its colour is there whatever light falls on it.
+        #define STAIN_LIT 0.45
+        #define STAIN_OWN 0.5`,
       )
       .replace(
         '#include <color_fragment>',
         `vec4 cut = wood(vGrain, vFace, vSeed);
-        diffuseColor.rgb = cut.rgb;`,
+        // A stain lets the grain show.
+        float grain = 0.7 + 0.5 * dot(cut.rgb, vec3(0.30, 0.59, 0.11));
+        diffuseColor.rgb = mix(cut.rgb, STAIN_LIT * vTint.rgb * grain, vTint.a);`,
       )
-      .replace('#include <roughnessmap_fragment>', `float roughnessFactor = cut.w;`)
+      .replace('#include <roughnessmap_fragment>', `float roughnessFactor = mix(cut.w, 1.0, vTint.a);`)
+      .replace('#include <emissivemap_fragment>', `totalEmissiveRadiance += STAIN_OWN * vTint.rgb * grain * vTint.a;`)
       .replace(
         '#include <aomap_fragment>',
         `float sky = skyLight(vSpot, vOut);

@@ -4,6 +4,7 @@ import { Device } from './device';
 import { Pace, Speedometer } from './pacing';
 import { FRAME, type FromWorker, type Question, type SceneEntry, type ToWorker } from './protocol';
 import { Simulator, sceneText, type Step } from './simulator';
+import { Stillness } from './stillness';
 import { trial } from './trial';
 import load, { sceneList } from './wasm/teeter_wasm.js';
 
@@ -21,10 +22,13 @@ let timer: number | null = null;
 let queued = false;
 /** Whether the springs are looked at. */
 let watched = false;
+/** Whether the X-ray is. */
+let xrayed = false;
 /** The last step of the world. */
 let last: Step | null = null;
 const pace = new Pace(FRAME, MOST_DEBT);
 const speedometer = new Speedometer();
+const stillness = new Stillness();
 const device = new Device(form => trial(form, seconds));
 
 // A message to oneself comes back at once but after the messages of the page: a hand is never starved, and no timer is clamped to 4 ms.
@@ -61,6 +65,14 @@ function step(simulator: Simulator): void {
   speedometer.add(after, FRAME, cost);
   device.played(cost, simulator.length, simulator.stiffness, simulator.form, simulator.springStiffness);
   show(simulator, last);
+  const { report, hand } = last;
+  const { form, springStiffness: springs } = simulator;
+  // The forces in the contacts are known after every step: to sum them is next to nothing beside it.
+  if (stillness.advance({ speed: report.max_speed, held: hand !== null, form, springs }, () => simulator.xray())) showXRay(simulator);
+}
+
+function showXRay(simulator: Simulator): void {
+  if (xrayed) send({ type: 'xray', world, forces: stillness.still ? simulator.xray() : null });
 }
 
 function show(simulator: Simulator, { report, hand, handDone }: Step): void {
@@ -119,6 +131,7 @@ function build(order: Extract<ToWorker, { type: 'build' }>): void {
   last = null;
   world = order.world;
   device.begin();
+  stillness.restart();
   send({
     type: 'built',
     world,
@@ -155,6 +168,8 @@ function receive(message: ToWorker): void {
       break;
     case 'watch':
       watched = message.springs;
+      xrayed = message.xray;
+      if (simulator) showXRay(simulator);
       // While time stands still no frame would come to show them.
       if (paused && simulator && last) show(simulator, { ...last, handDone: false });
       break;

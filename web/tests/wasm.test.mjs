@@ -155,6 +155,24 @@ test('a restored state goes on with the same bits', () => {
   assert.notEqual(simulation.hash(), hashes[0]);
 });
 
+test('the X-ray tells loads that add up and as many loose blocks as the study natively', () => {
+  const text = towerScene('{"rows": 18, "seed": 1}');
+  const simulation = new Simulation(text, '');
+  for (let i = 0; i < 120; i++) simulation.step('');
+  const told = simulation.xray();
+  assert.equal(told.length, 2 * 54);
+  const [loads, pulls] = [0, 1].map(k => told.filter((_, i) => i % 2 === k));
+  assert.equal(pulls.filter(pull => pull < 0.1).length, 27);
+  const weights = JSON.parse(text).blocks.map(block => 9.81 * block.mass);
+  const sum = part => part.reduce((a, b) => a + b, 0);
+  for (let row = 0; row < 18; row++) {
+    const [borne, above] = [sum(loads.slice(3 * row, 3 * row + 3)), sum(weights.slice(3 * row + 3))];
+    assert.ok(Math.abs(borne - above) < 1e-3 * (above + 1), `row ${row} bears ${borne} of ${above} N`);
+  }
+  // A loose block is held by its own weight alone.
+  pulls.forEach((pull, i) => loads[i] === 0 && assert.ok(Math.abs(pull / (0.4 * weights[i]) - 1) < 0.02, `block ${i}: ${pull} N`));
+});
+
 const lattices = simulation => {
   const at = simulation.latticesPtr();
   return new Float32Array(memory.buffer, at, simulation.form === 'lattice' ? 52 * simulation.length : 0);

@@ -3,6 +3,7 @@
 use serde::Deserialize;
 use teeter_physics::{Input, Params, World};
 use teeter_scene::{Form, Scene, Springs};
+use teeter_study::{Load, xray};
 use wasm_bindgen::prelude::*;
 
 use crate::Failure;
@@ -12,6 +13,8 @@ use crate::Failure;
 #[derive(Debug)]
 pub struct Simulation {
     world: World,
+    /// Coefficient of static friction.
+    friction: f64,
     lattices: Vec<f32>,
 }
 
@@ -27,7 +30,7 @@ impl Simulation {
             serde_json::from_str(params).map_err(|e| Failure::reading("parameters", e))?
         };
         let world = World::new(&scene, params).map_err(|e| Failure(e.to_string()))?;
-        Ok(Self { world, lattices: Vec::new() })
+        Ok(Self { world, friction: scene.friction, lattices: Vec::new() })
     }
 
     /// Advances by one frame under `input` (JSON of [`Input`]; empty text for none) and gives the report as JSON.
@@ -132,6 +135,14 @@ impl Simulation {
         self.lattices.as_ptr()
     }
 
+    /// What each body carries and how tight it is, as [`teeter_study::xray`] has it of the contacts of the moment: two numbers a body, the normal force on its
+    /// upper face and the force that starts it sliding straight, N. Of a body that nothing bears the second is NaN. It tells of rest: while bodies move
+    /// their contacts carry blows besides.
+    pub fn xray(&self) -> Vec<f64> {
+        let pull = |load: &Load| if load.below_n > 0.0 { load.tightness_n } else { f64::NAN };
+        xray(&self.world, self.friction).iter().flat_map(|load| [load.above_n, pull(load)]).collect()
+    }
+
     /// Simulated time, s.
     pub fn time(&self) -> f64 {
         self.world.time()
@@ -199,6 +210,30 @@ mod tests {
         let line = simulation.set_form(r#"{"form": "lattice", "springs": {"stiffness": 5}}"#).unwrap_err().to_string();
         assert_eq!(line, "`springs.stiffness` is 5, expected 1e3 to 1e8 N/m");
         assert_eq!(simulation.spring_stiffness(), Some(2e6));
+    }
+
+    /// The node tests ask the same of the build for the page.
+    #[test]
+    fn the_xray_is_that_of_the_study() {
+        let mut simulation = Simulation::new(&crate::tower_scene(r#"{"rows": 18, "seed": 1}"#).unwrap(), "").unwrap();
+        for _ in 0..120 {
+            simulation.step("").unwrap();
+        }
+        let (told, loads) = (simulation.xray(), xray(&simulation.world, 0.4));
+        assert_eq!(told.len(), 2 * loads.len());
+        for (told, load) in told.chunks_exact(2).zip(&loads) {
+            assert_eq!(told, [load.above_n, load.tightness_n]);
+        }
+        assert_eq!(loads.iter().filter(|load| load.is_loose()).count(), 27);
+        assert_eq!(loads.iter().filter(|load| load.tightness_n < 0.1).count(), 27, "what the page calls loose");
+    }
+
+    #[test]
+    fn what_nothing_bears_has_no_pull() {
+        let mut simulation = Simulation::new(&ONE.replace("0.009]", "0.5]"), "").unwrap();
+        simulation.step("").unwrap();
+        let told = simulation.xray();
+        assert!(told[0] == 0.0 && told[1].is_nan(), "{told:?}");
     }
 
     #[test]
