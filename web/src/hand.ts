@@ -4,7 +4,6 @@ import { Quaternion, Vector3 } from 'three';
 import { approach } from './approach';
 import type { Bodies } from './bodies';
 import { isFree, levelled, type Hit } from './boxes';
-import type { Client } from './client';
 import { axisWay, slideWay, type Lever } from './drag';
 import { columnUnder, isClear, keepClear } from './guard';
 import type { Orbit } from './orbit';
@@ -35,6 +34,11 @@ const FRESH = 0.004;
 const STANDING = 0.002;
 /** Time after which a block that does not come down is let go, s. */
 const PATIENCE = 6;
+
+/** Who is told what the hand wants. */
+export interface Wisher {
+  hand(wish: Wish | null): void;
+}
 
 interface Hold {
   body: number;
@@ -79,7 +83,7 @@ export class Hand {
   private time = 0;
 
   constructor(
-    private readonly client: Client,
+    private readonly client: Wisher,
     private readonly orbit: Orbit,
     private bodies: Bodies,
   ) {}
