@@ -67,9 +67,9 @@ fn diagonalise(a: &mut [[f64; 4]; 4]) -> [[f64; 4]; 4] {
                 for row in a.iter_mut().chain(v.iter_mut()) {
                     (row[p], row[q]) = (c * row[p] - s * row[q], s * row[p] + c * row[q]);
                 }
-                for k in 0..4 {
-                    (a[p][k], a[q][k]) = (c * a[p][k] - s * a[q][k], s * a[p][k] + c * a[q][k]);
-                }
+                let (old_p, old_q) = (a[p], a[q]);
+                a[p] = std::array::from_fn(|k| c * old_p[k] - s * old_q[k]);
+                a[q] = std::array::from_fn(|k| s * old_p[k] + c * old_q[k]);
             }
         }
         if !changed {
@@ -81,6 +81,7 @@ fn diagonalise(a: &mut [[f64; 4]; 4]) -> [[f64; 4]; 4] {
 
 #[cfg(test)]
 mod tests {
+    use glam::DVec2;
     use proptest::prelude::*;
 
     use super::*;
@@ -107,7 +108,7 @@ mod tests {
         let shear = 0.3;
         let (_, q) = pose(&corners(|r| r + DVec3::new(shear * r.z, 0.0, 0.0)), HALF);
         // Σ p rᵀ has on its diagonal 8 hx² and 8 hz², and beside it 8 s hz²: a turn about y from z to x.
-        let angle = f64::atan2(shear * HALF.z * HALF.z, HALF.x * HALF.x + HALF.z * HALF.z);
+        let angle = DVec2::new(HALF.x * HALF.x + HALF.z * HALF.z, shear * HALF.z * HALF.z).to_angle();
         let expected = DQuat::from_rotation_y(angle);
         assert!(q.dot(expected).abs() > 1.0 - 1e-14, "{q} {expected}");
     }

@@ -21,8 +21,6 @@ export interface Readouts {
   fps: number;
   apart: Apart | null;
   blocks: number;
-  /** Whether the hand of 2003 writes the velocity of its block. */
-  writes: boolean;
   /** End of the scale of the springs, in words; empty where they are not shown. */
   springs: string;
 }
@@ -96,7 +94,7 @@ export class Controls {
     this.turn.disabled = !carried;
   }
 
-  read({ frame, fps, apart, blocks, writes, springs }: Readouts): void {
+  read({ frame, fps, apart, blocks, springs }: Readouts): void {
     put('n-time', `${frame.time.toFixed(1)} s, at ${frame.factor.toFixed(2)}× of real time`);
     get('n-time').classList.toggle('slow', frame.factor < 0.95);
     put('n-fps', fps.toFixed(0));
@@ -114,7 +112,6 @@ export class Controls {
       put('n-disabled', `${blocks - active} of ${blocks}`);
     }
     put('n-springs', springs);
-    put('n-hand', writes ? 'writes the velocity of its block' : '');
   }
 
   private tellRows(): void {

@@ -54,6 +54,7 @@ export class Tower {
   private seen = true;
   private watching = false;
   private fell = false;
+  private warned: Hand['hold'] = null;
   private resized = true;
   private drewLast = false;
   private drawnAt = 0;
@@ -191,10 +192,19 @@ export class Tower {
     this.blend.arrive(performance.now() / 1000);
     this.last = frame;
     this.hand.arrive(frame);
+    this.warn();
     const held = this.hand.hold?.body ?? this.hand.poking;
     const fell = verdict.judge(frame.poses, frame.time, frame.maxSpeed, held) === 'fallen';
     if (fell && !this.fell) this.notice.say(this.show === 'both' ? 'The engine’s tower fell.' : 'The tower fell.', 6);
     this.fell = fell;
+  }
+
+  /** Says once why a carried block has no place on top. */
+  private warn(): void {
+    const { hold, slots, turns } = this.hand;
+    if (turns || hold?.grip !== 'carry' || hold === this.warned || slots.length > 0) return;
+    this.warned = hold;
+    this.notice.say('This one lies across the places on top, and the hand of 2003 cannot turn it.', 6);
   }
 
   private fit(): void {
@@ -235,7 +245,7 @@ export class Tower {
       chosen: hand.hold?.slot ?? null,
       slotSize: hand.hold ? bodies.size(hand.hold.body) : null,
     });
-    this.ring.show(ringOf(hand, this.last?.hand ?? null, bodies, orbit, this.canvas));
+    this.showRing(bodies);
     if (now - this.readAt > READOUT) {
       this.readAt = now;
       this.read();
@@ -245,6 +255,14 @@ export class Tower {
     view.draw();
     this.drawnAt = now;
     this.drewLast = true;
+  }
+
+  /** In the air the hand of 2003 has no force, and that is said in its place. */
+  private showRing(bodies: Bodies): void {
+    const told = this.last?.hand ?? null;
+    const state = ringOf(this.hand, told, bodies, this.orbit, this.canvas);
+    const writes = this.show === 'old' && told !== null && told.force.every(f => f === 0);
+    this.ring.show(state && writes ? { ...state, note: 'its velocity is written' } : state);
   }
 
   /** Moves the ghost; whether the picture changes. */
@@ -266,8 +284,6 @@ export class Tower {
       fps: this.pictures.perSecond(),
       apart: last.ghost && apart(last.poses, last.ghost.poses),
       blocks: bodies.count,
-      // What acts besides is told by the ring.
-      writes: this.show === 'old' && last.hand !== null && last.hand.force.every(f => f === 0),
       springs: this.watching ? `up to ${figures(this.forces.end, unitOf(this.forces.end))} ${unitOf(this.forces.end)}` : '',
     });
   }
