@@ -2,25 +2,27 @@
 
 import type { Answer, Built, Form, Frame, FromWorker, Question, SceneEntry, Setup, ToWorker, Wish, XRay } from './protocol';
 
-export interface Listener {
+export interface Listener<F extends Frame> {
   scenes(list: SceneEntry[]): void;
   built(world: Built): void;
-  frame(frame: Frame): void;
-  xray(xray: XRay): void;
+  frame(frame: F): void;
+  xray?(xray: XRay): void;
   refused(message: string): void;
   failed(message: string): void;
 }
 
-export class Client {
-  private readonly worker: Worker;
+/** `S` is what worlds are built from, `F` what is told of a frame. */
+export class Client<S = Setup, F extends Frame = Frame> {
   private readonly open = new Map<number, (value: never) => void>();
   private questions = 0;
   private world = 0;
   /** Longest time that one message of the worker held the page, ms. */
   longestMessage = 0;
 
-  constructor(private readonly listener: Listener) {
-    this.worker = new Worker(new URL('./worker.ts', import.meta.url), { type: 'module' });
+  constructor(
+    private readonly worker: Worker,
+    private readonly listener: Listener<F>,
+  ) {
     this.worker.onmessage = (event: MessageEvent<FromWorker>) => {
       const before = performance.now();
       this.receive(event.data);
@@ -29,7 +31,7 @@ export class Client {
     this.worker.onerror = event => listener.failed(event.message || 'the worker did not start');
   }
 
-  build(setup: Setup): void {
+  build(setup: S): void {
     this.send({ type: 'build', world: ++this.world, setup });
   }
 
@@ -57,7 +59,7 @@ export class Client {
     return new Promise(resolve => this.open.set(id, resolve as (value: never) => void));
   }
 
-  private send(message: ToWorker): void {
+  private send(message: ToWorker<S>): void {
     this.worker.postMessage(message);
   }
 
@@ -69,10 +71,10 @@ export class Client {
         if (message.world === this.world) this.listener.built(message);
         return;
       case 'frame':
-        if (message.world === this.world) this.listener.frame(message);
+        if (message.world === this.world) this.listener.frame(message as F);
         return;
       case 'xray':
-        if (message.world === this.world) this.listener.xray(message);
+        if (message.world === this.world) this.listener.xray?.(message);
         return;
       case 'refused':
         return this.listener.refused(message.message);

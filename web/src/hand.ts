@@ -3,8 +3,7 @@
 import { Quaternion, Vector3 } from 'three';
 import { approach } from './approach';
 import type { Bodies } from './bodies';
-import { drawn, isFree, levelled, type Hit } from './boxes';
-import type { Client } from './client';
+import { drawn, isFree, levelled, nearestAlike, type Hit } from './boxes';
 import { axisWay, slideWay, type Lever } from './drag';
 import { columnUnder, isClear, keepClear } from './guard';
 import type { Orbit } from './orbit';
@@ -33,8 +32,15 @@ const DRAW = 0.03;
 const FRESH = 0.004;
 /** Height above its slot below which a block that touches stands in it, m: more would be the edge of a neighbour. */
 const STANDING = 0.002;
+/** Turn out of a place, rad, up to which a hand that cannot turn a block lays it there. */
+const ALONG = 0.2;
 /** Time after which a block that does not come down is let go, s. */
 const PATIENCE = 6;
+
+/** Who is told what the hand wants. */
+export interface Wisher {
+  hand(wish: Wish | null): void;
+}
 
 interface Hold {
   body: number;
@@ -69,6 +75,8 @@ export class Hand {
   /** Largest force, N. */
   cap = 4;
   careful = false;
+  /** Whether it can turn what it carries. One that cannot takes only places where a block lies as it does already. */
+  turns = true;
   /** Time stands still: the block stays held, and the pointer turns the camera. */
   frozen = false;
   hold: Hold | null = null;
@@ -79,7 +87,7 @@ export class Hand {
   private time = 0;
 
   constructor(
-    private readonly client: Client,
+    private readonly client: Wisher,
     private readonly orbit: Orbit,
     private bodies: Bodies,
   ) {}
@@ -284,7 +292,7 @@ export class Hand {
 
   private rotate(by: Quaternion): void {
     const hold = this.hold;
-    if (!hold?.orientation || this.frozen || hold.placing || hold.grip !== 'carry') return;
+    if (!this.turns || !hold?.orientation || this.frozen || hold.placing || hold.grip !== 'carry') return;
     // About the block's centre: the grasped point goes round with it.
     const centre = hold.wish.clone().sub(hold.anchor.clone().applyQuaternion(hold.orientation));
     hold.orientation = by.multiply(hold.orientation).normalize();
@@ -294,12 +302,20 @@ export class Hand {
 
   private freeSlots(body: number): Slot[] {
     const centre = this.bodies.position(body, this.bodies.newest);
-    return topSlots(this.bodies, body, this.bodies.size(body)).filter(s => s.position.distanceTo(centre) > 0.012);
+    return this.slotsFor(body).filter(s => s.position.distanceTo(centre) > 0.012);
+  }
+
+  private slotsFor(body: number): Slot[] {
+    const slots = topSlots(this.bodies, body, this.bodies.size(body));
+    if (this.turns) return slots;
+    const turn = this.bodies.turn(body, this.bodies.newest);
+    const alike = slots.filter(s => nearestAlike(s.orientation, turn).angleTo(turn) < ALONG);
+    return alike.map(s => ({ ...s, orientation: turn }));
   }
 
   /** The slot that draws the carried block: the nearest on the screen, held a little longer than it is taken. */
   private seekSlot(hold: Hold): void {
-    this.slots = topSlots(this.bodies, hold.body, this.bodies.size(hold.body));
+    this.slots = this.slotsFor(hold.body);
     if (hold.placing) return;
     const column = columnUnder(this.slots, this.bodies.size(hold.body));
     if (column && isClear(this.bodies.position(hold.body, this.bodies.newest), column)) hold.clear = true;

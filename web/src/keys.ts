@@ -10,7 +10,8 @@ export interface KeyActions {
   place(): void;
   help(): void;
   springs(): void;
-  xray(): void;
+  /** Where there is an X-ray. */
+  xray?(): void;
   /** Whether keys belong to a control at the moment. */
   busy(): boolean;
 }
@@ -41,7 +42,7 @@ export function listen(hand: Hand, orbit: Orbit, actions: KeyActions): void {
     } else if (key === 'f') actions.frame();
     else if (key === 'p') actions.place();
     else if (key === 's') actions.springs();
-    else if (key === 'x') actions.xray();
+    else if (key === 'x') actions.xray?.();
     else if (key === 'h' || key === '?') actions.help();
     else if (key === 'q') hand.turn(Math.PI / 2);
     else if (key === 'e') hand.turn(-Math.PI / 2);

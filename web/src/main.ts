@@ -17,15 +17,13 @@ import { Pointers } from './pointers';
 import { FRAME, type Built, type Constant, type Form, type Frame, type Setup } from './protocol';
 import { Quality, TIERS } from './quality';
 import { readOptions } from './query';
-import { Ring } from './ring';
+import { heldBy, Ring, ringOf } from './ring';
 import { ForceScale } from './scale';
 import { squash } from './squash';
 import { Verdict, type State } from './verdict';
 import { View } from './view';
 import { channels, colourOf, forceText, isDark, isLoose, NO_COLOUR, readings, type Reading } from './xray';
 
-/** Length of the force's arrow, px/N. */
-const ARROW = 22;
 /** Direction of the first view, rad: a corner, so that ends and sides are seen. */
 const FIRST_AZIMUTH = -0.95;
 /** Part of the wood that the X-ray stains: at rest, and while what it told is no longer so. */
@@ -79,7 +77,7 @@ function start(): void {
   /** Whether forces have changed since they were drawn. */
   let tensed = false;
 
-  const client = new Client({
+  const client = new Client(new Worker(new URL('./worker.ts', import.meta.url), { type: 'module' }), {
     scenes(list) {
       panel.setScenes(list, options.scene);
       build(panel.setup());
@@ -285,7 +283,7 @@ function start(): void {
       chosen: hand.hold?.slot ?? null,
       slotSize: hand.hold ? bodies.size(hand.hold.body) : null,
     });
-    showRing();
+    ring.show(bodies && ringOf(hand, last?.hand ?? null, bodies, orbit, canvas));
     if (now - readAt > READOUT) {
       readAt = now;
       showReadouts();
@@ -303,36 +301,6 @@ function start(): void {
     longestPicture = Math.max(longestPicture, performance.now() - before);
     drawnAt = now;
     drewLast = true;
-  }
-
-  function showRing(): void {
-    const hold = hand.hold;
-    const told = last?.hand;
-    if (!bodies || !told || (!hold && hand.poking === null)) return ring.show(null);
-    const { clientWidth: width, clientHeight: height } = canvas;
-    const point = hold ? bodies.toWorld(hold.body, hold.anchor) : new Vector3(...told.point);
-    const force = new Vector3(...told.force);
-    // A sliding hand bears the block's weight besides; the arrow is for what it pulls.
-    const pull = told.grip === 'slide' ? force.clone().setZ(0) : force;
-    const at = orbit.project(point, width, height);
-    const scale = orbit.scaleAt(point, height);
-    const step = 0.004;
-    const tip = orbit.project(point.clone().addScaledVector(pull.clone().normalize(), pull.length() > 1e-6 ? step : 0), width, height);
-    const reach = (ARROW * pull.length()) / (scale * step);
-    const stuck = hand.holders();
-    ring.show({
-      at,
-      arrow: { x: (tip.x - at.x) * reach, y: (tip.y - at.y) * reach },
-      force: force.length(),
-      cap: hand.cap,
-      capped: hold?.capped ?? false,
-      note: stuck ? heldBy(stuck) : '',
-    });
-  }
-
-  function heldBy({ bodies, force }: { bodies: number[]; force: number }): string {
-    if (bodies.length === 0) return '';
-    return `held by ${bodies.length === 1 ? '1 block' : `${bodies.length} blocks`}, ${force.toFixed(1)} N`;
   }
 
   function showReadouts(): void {

@@ -145,8 +145,8 @@ export interface XRay {
 export type Question = { what: 'hash' } | { what: 'contacts'; body: number };
 export type Answer<Q extends Question> = Q extends { what: 'hash' } ? { hash: string; time: number } : Contact[];
 
-export type ToWorker =
-  | { type: 'build'; world: number; setup: Setup }
+export type ToWorker<S = Setup> =
+  | { type: 'build'; world: number; setup: S }
   | { type: 'hand'; world: number; wish: Wish | null }
   | { type: 'pause'; paused: boolean }
   /** What the blocks of the running tower are to become; `springs` as in [`Setup`]. */

@@ -1,5 +1,11 @@
 // The force of the hand, drawn where it grasps: length of the arc, a number, and dashes with a word when it can give no more.
 
+import { Vector3 } from 'three';
+import type { Bodies } from './bodies';
+import type { Hand } from './hand';
+import type { Orbit } from './orbit';
+import type { HandState } from './protocol';
+
 export interface RingState {
   /** Screen position of the grasped point, CSS px. */
   at: { x: number; y: number };
@@ -14,6 +20,8 @@ export interface RingState {
 }
 
 const RADIUS = 24;
+/** Length of the force's arrow, px/N. */
+const ARROW = 22;
 
 export class Ring {
   private readonly group = element('ring-group');
@@ -43,6 +51,37 @@ export class Ring {
     set(this.force, `${state.force.toFixed(2)} N${state.capped ? ' · most' : ''}`);
     set(this.note, state.note);
   }
+}
+
+/** What the ring shows of a hand that holds or pokes a block, from what was last `told` of it; `canvas` is what the picture fills. */
+export function ringOf(hand: Hand, told: HandState | null, bodies: Bodies, orbit: Orbit, canvas: HTMLElement): RingState | null {
+  const hold = hand.hold;
+  if (!told || (!hold && hand.poking === null)) return null;
+  const { clientWidth: width, clientHeight: height } = canvas;
+  const point = hold ? bodies.toWorld(hold.body, hold.anchor) : new Vector3(...told.point);
+  const force = new Vector3(...told.force);
+  // A sliding hand bears the block's weight besides; the arrow is for what it pulls.
+  const pull = told.grip === 'slide' ? force.clone().setZ(0) : force;
+  const at = orbit.project(point, width, height);
+  const scale = orbit.scaleAt(point, height);
+  const step = 0.004;
+  const tip = orbit.project(point.clone().addScaledVector(pull.clone().normalize(), pull.length() > 1e-6 ? step : 0), width, height);
+  const reach = (ARROW * pull.length()) / (scale * step);
+  const stuck = hand.holders();
+  return {
+    at,
+    arrow: { x: (tip.x - at.x) * reach, y: (tip.y - at.y) * reach },
+    force: force.length(),
+    cap: hand.cap,
+    capped: hold?.capped ?? false,
+    note: stuck ? heldBy(stuck) : '',
+  };
+}
+
+/** What holds a block, in words. */
+export function heldBy({ bodies, force }: { bodies: number[]; force: number }): string {
+  if (bodies.length === 0) return '';
+  return `held by ${bodies.length === 1 ? '1 block' : `${bodies.length} blocks`}, ${force.toFixed(1)} N`;
 }
 
 function element(id: string): SVGElement {

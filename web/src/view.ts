@@ -16,6 +16,7 @@ import {
   WebGLRenderer,
   type BufferGeometry,
   type Material,
+  type Object3D,
 } from 'three';
 import type { Bodies } from './bodies';
 import { Glass } from './glass';
@@ -133,6 +134,11 @@ export class View {
     this.sun.intensity = dark ? 2.5 : 2.9;
     this.sky.intensity = dark ? 1.05 : 1.5;
     this.stale = true;
+  }
+
+  /** Adds something that is drawn with the tower. */
+  add(object: Object3D): void {
+    this.scene.add(object);
   }
 
   /** The picture must be drawn anew, whatever moved. */

@@ -1,15 +1,13 @@
 // The worker: owns the world, keeps it in step with the wall clock, and sends one message a step.
 
 import { Device } from './device';
-import { Pace, Speedometer } from './pacing';
+import { Loop } from './loop';
+import { Speedometer } from './pacing';
 import { FRAME, type FromWorker, type Question, type SceneEntry, type ToWorker } from './protocol';
 import { Simulator, sceneText, type Step } from './simulator';
 import { Stillness } from './stillness';
 import { trial } from './trial';
 import load, { sceneList } from './wasm/teeter_wasm.js';
-
-/** Time that may be owed before simulated time slows, s: rides out a hiccup of the machine. */
-const MOST_DEBT = 4 * FRAME;
 
 const seconds = () => performance.now() / 1000;
 const send = (message: FromWorker, transfer: Transferable[] = []) => self.postMessage(message, { transfer });
@@ -18,44 +16,21 @@ let memory: WebAssembly.Memory;
 let simulator: Simulator | null = null;
 let world = 0;
 let paused = false;
-let timer: number | null = null;
-let queued = false;
 /** Whether the springs are looked at. */
 let watched = false;
 /** Whether the X-ray is. */
 let xrayed = false;
 /** The last step of the world. */
 let last: Step | null = null;
-const pace = new Pace(FRAME, MOST_DEBT);
 const speedometer = new Speedometer();
 const stillness = new Stillness();
 const device = new Device(form => trial(form, seconds));
-
-// A message to oneself comes back at once but after the messages of the page: a hand is never starved, and no timer is clamped to 4 ms.
-const soon = new MessageChannel();
-soon.port1.onmessage = () => {
-  queued = false;
-  guard(tick);
-};
-
-function tick(): void {
-  timer = null;
-  if (!simulator || paused) return;
-  pace.advance(seconds());
-  if (pace.take()) step(simulator);
-  schedule();
-}
-
-function schedule(): void {
-  if (!simulator || paused || timer !== null || queued) return;
-  const wait = pace.wait() * 1000;
-  if (wait < 1) {
-    queued = true;
-    soon.port2.postMessage(null);
-  } else {
-    timer = self.setTimeout(() => guard(tick), wait);
-  }
-}
+const loop = new Loop(
+  seconds,
+  () => simulator !== null && !paused,
+  () => step(simulator!),
+  guard,
+);
 
 function step(simulator: Simulator): void {
   const before = seconds();
@@ -102,12 +77,8 @@ function show(simulator: Simulator, { report, hand, handDone }: Step): void {
 }
 
 function restart(): void {
-  if (timer !== null) clearTimeout(timer);
-  timer = null;
-  pace.restart();
   speedometer.restart();
-  pace.advance(seconds());
-  schedule();
+  loop.restart();
 }
 
 /** Builds the world that is asked for; where that fails the old one goes on. */

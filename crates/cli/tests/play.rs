@@ -109,6 +109,9 @@ mod served {
             "{policy}"
         );
         assert_eq!(server.get("HEAD", "/").2, b"");
+        let (status, _, museum) = server.get("GET", "/museum.html");
+        assert_eq!(status, "http/1.1 200 ok");
+        assert!(String::from_utf8(museum).unwrap().contains("<title>Teeter: the museum of 2003</title>"));
     }
 
     #[test]

@@ -45,14 +45,15 @@ export class Session {
     query: string,
     {
       before,
+      path = '',
       ready = true,
       ...options
-    }: BrowserContextOptions & { before?: (page: Page) => Promise<unknown> | void; ready?: boolean } = {},
+    }: BrowserContextOptions & { before?: (page: Page) => Promise<unknown> | void; path?: string; ready?: boolean } = {},
   ): Promise<Session> {
     const context = await host.browser.newContext({ viewport: { width: 900, height: 700 }, ...options });
     const session = new Session(await context.newPage(), () => context.close());
     await before?.(session.page);
-    await session.page.goto(`${host.address}?${query}`);
+    await session.page.goto(`${host.address}${path}?${query}`);
     if (ready) await session.page.waitForFunction(() => window.teeter?.ready);
     return session;
   }
@@ -99,6 +100,38 @@ export async function host(): Promise<Host> {
       await server.close();
     },
   };
+}
+
+/** Moves the mouse from one place to another in steps, with a pause (ms) after each. */
+export async function drag(session: Session, from: { x: number; y: number }, to: { x: number; y: number }, steps: number, pause: number) {
+  for (let k = 1; k <= steps; k++) {
+    await session.page.mouse.move(from.x + ((to.x - from.x) * k) / steps, from.y + ((to.y - from.y) * k) / steps);
+    await session.page.waitForTimeout(pause);
+  }
+}
+
+/** Standard deviation of the brightness (of 255) in a part of an element's picture: left, top, width, height as parts of it. */
+export async function contrast(page: Page, selector: string, part = [0, 0, 1, 1]): Promise<number> {
+  const picture = (await page.locator(selector).screenshot()).toString('base64');
+  return page.evaluate(
+    async ({ picture, part }) => {
+      const image = await createImageBitmap(await (await fetch(`data:image/png;base64,${picture}`)).blob());
+      const canvas = new OffscreenCanvas(image.width, image.height);
+      const context = canvas.getContext('2d')!;
+      context.drawImage(image, 0, 0);
+      const [x, y, w, h] = part.map((p, i) => Math.round(p * (i % 2 ? image.height : image.width)));
+      const { data: pixels } = context.getImageData(x, y, w, h);
+      let [sum, squares] = [0, 0];
+      for (let i = 0; i < pixels.length; i += 4) {
+        const light = (pixels[i] + pixels[i + 1] + pixels[i + 2]) / 3;
+        sum += light;
+        squares += light * light;
+      }
+      const n = pixels.length / 4;
+      return Math.sqrt(squares / n - (sum / n) ** 2);
+    },
+    { picture, part },
+  );
 }
 
 /** How far each body is from where it was, m. */

@@ -3,7 +3,7 @@
 import type { Page } from 'playwright-core';
 import { afterAll, beforeAll, expect, test } from 'vitest';
 import { STIFFNESSES } from '../../src/device';
-import { host, MEASURED, Session, SMALL, ways, type Host } from './browser';
+import { contrast, drag, host, MEASURED, Session, SMALL, ways, type Host } from './browser';
 
 let chrome: Host;
 beforeAll(async () => {
@@ -31,24 +31,8 @@ test('loads without a complaint, asks nobody else, and draws', async () => {
       });
     },
   });
-  const picture = await session.page.locator('#picture').screenshot();
-  const spread = await session.page.evaluate(async data => {
-    const image = await createImageBitmap(await (await fetch(`data:image/png;base64,${data}`)).blob());
-    const canvas = new OffscreenCanvas(image.width, image.height);
-    const context = canvas.getContext('2d')!;
-    context.drawImage(image, 0, 0);
-    // The middle third, where the tower stands, without the controls.
-    const [x, y, w, h] = [image.width / 3, image.height / 4, image.width / 3, image.height / 3].map(Math.round);
-    const { data: pixels } = context.getImageData(x, y, w, h);
-    let [sum, squares] = [0, 0];
-    for (let i = 0; i < pixels.length; i += 4) {
-      const light = (pixels[i] + pixels[i + 1] + pixels[i + 2]) / 3;
-      sum += light;
-      squares += light * light;
-    }
-    const n = pixels.length / 4;
-    return Math.sqrt(squares / n - (sum / n) ** 2);
-  }, picture.toString('base64'));
+  // The middle third, where the tower stands, without the controls.
+  const spread = await contrast(session.page, '#picture', [1 / 3, 1 / 4, 1 / 3, 1 / 3]);
   expect(spread, 'standard deviation of the brightness, of 255').toBeGreaterThan(15);
   expect(session.complaints).toEqual([]);
   expect(foreign).toEqual([]);
@@ -210,13 +194,6 @@ function findLoose(session: Session) {
     }
     return null;
   });
-}
-
-async function drag(session: Session, from: { x: number; y: number }, to: { x: number; y: number }, steps: number, pause: number) {
-  for (let k = 1; k <= steps; k++) {
-    await session.page.mouse.move(from.x + ((to.x - from.x) * k) / steps, from.y + ((to.y - from.y) * k) / steps);
-    await session.page.waitForTimeout(pause);
-  }
 }
 
 test('a loose block is pulled out with the mouse, carried, and put on top', async () => {

@@ -5,6 +5,7 @@
 
 use super::axes;
 use super::body::Body;
+use super::lcp::LcpError;
 use super::manifold;
 use super::resting::{self, Touch};
 use super::rigid::{Detection, Report, Rigid2D, collide};
@@ -133,16 +134,24 @@ fn put_back(world: &mut Rigid2D, start: &[Body]) {
     }
 }
 
-/// Forces for the points at rest, as impulses over the step.
-fn rest(world: &mut Rigid2D, report: &mut Report) {
+/// The contact points at rest, and the forces along their normals, N.
+pub fn resting(world: &Rigid2D) -> (Vec<Touch>, Result<Vec<f64>, LcpError>) {
     let c = world.constants;
     let mut touches = world.touches(TOUCHING);
     touches.retain(|t| t.approach(&world.bodies).abs() < c.rest_velocity);
+    let forces = resting::forces(&world.bodies, &touches, c.gravity);
+    (touches, forces)
+}
+
+/// Forces for the points at rest, as impulses over the step.
+fn rest(world: &mut Rigid2D, report: &mut Report) {
+    let step = world.constants.step;
+    let (touches, forces) = resting(world);
     report.resting = touches.len() as u32;
-    match resting::forces(&world.bodies, &touches, c.gravity) {
+    match forces {
         Ok(forces) => {
             for (touch, force) in touches.iter().zip(forces) {
-                touch.push(&mut world.bodies, c.step * force * touch.point.normal);
+                touch.push(&mut world.bodies, step * force * touch.point.normal);
             }
         }
         Err(failure) => report.failure = Some(failure),

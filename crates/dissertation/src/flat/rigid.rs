@@ -131,6 +131,11 @@ impl Rigid2D {
         Self { constants, bodies, tester: Tester::new(constants.witnesses) }
     }
 
+    /// One more block, at rest.
+    pub fn add(&mut self, block: &Rectangle) {
+        self.bodies.push(Body::new(block));
+    }
+
     /// One step.
     pub fn step(&mut self) -> Report {
         match self.constants.method {
@@ -166,7 +171,7 @@ impl Rigid2D {
     }
 
     /// Contact points no more than `margin` (m) apart.
-    pub(super) fn touches(&self, margin: f64) -> Vec<Touch> {
+    pub fn touches(&self, margin: f64) -> Vec<Touch> {
         let of = |(i, j): (usize, usize)| {
             super::manifold::points(&self.bodies[i], &self.bodies[j], margin).into_iter().map(move |point| Touch { a: i, b: j, point })
         };

@@ -60,6 +60,12 @@ pub struct Springs2D {
     rest: Vec<[f64; 6]>,
 }
 
+/// Shares of the four corners in a point between them, in parts of the edges.
+fn shares(at: DVec2) -> [f64; 4] {
+    let (x, y) = (at.x, at.y);
+    [(1.0 - x) * (1.0 - y), x * (1.0 - y), x * y, (1.0 - x) * y]
+}
+
 /// What one step did.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
 pub struct Report {
@@ -74,11 +80,39 @@ pub struct Report {
 impl Springs2D {
     /// Blocks at rest.
     pub fn new(blocks: &[Rectangle], constants: Constants) -> Self {
+        let mut world = Self { constants, curr: Vec::new(), next: Vec::new(), masses: Vec::new(), rest: Vec::new() };
+        for block in blocks {
+            world.add(block);
+        }
+        world
+    }
+
+    /// One more block, at rest.
+    pub fn add(&mut self, block: &Rectangle) {
         let corners = [DVec2::new(-0.5, -0.5), DVec2::new(0.5, -0.5), DVec2::new(0.5, 0.5), DVec2::new(-0.5, 0.5)];
-        let state = |b: &Rectangle, c: DVec2| State { position: b.centre + c * b.size, velocity: DVec2::ZERO };
-        let curr: Vec<State> = blocks.iter().flat_map(|b| corners.map(|c| state(b, c))).collect();
-        let rest = curr.chunks_exact(4).map(|p| SPRINGS.map(|[a, b]| p[a].position.distance(p[b].position))).collect();
-        Self { constants, next: curr.clone(), curr, masses: blocks.iter().map(|b| b.mass / 4.0).collect(), rest }
+        let states = corners.map(|c| State { position: block.centre + c * block.size, velocity: DVec2::ZERO });
+        self.rest.push(SPRINGS.map(|[a, b]| states[a].position.distance(states[b].position)));
+        self.masses.push(block.mass / 4.0);
+        self.curr.extend(states);
+        self.next.extend(states);
+    }
+
+    /// Place and velocity of a point of a block, in parts of its edges from its lower left corner.
+    pub fn point(&self, block: usize, at: DVec2) -> State {
+        let mut point = State::default();
+        for (state, w) in self.curr[4 * block..][..4].iter().zip(shares(at)) {
+            point.position += w * state.position;
+            point.velocity += w * state.velocity;
+        }
+        point
+    }
+
+    /// Takes an impulse (N s) at a point of a block, in parts of its edges: each particle its share.
+    pub fn push(&mut self, block: usize, at: DVec2, impulse: DVec2) {
+        let mass = self.masses[block];
+        for (state, w) in self.curr[4 * block..][..4].iter_mut().zip(shares(at)) {
+            state.velocity += impulse * (w / mass);
+        }
     }
 
     /// Centre of a block, m, and its turn, rad: the direction of its lower edge.

@@ -38,6 +38,11 @@ impl Spring {
         apart * ((pull + drag) / length) // Eq. 4.2a
     }
 
+    /// Its length among the states of all particles, m.
+    pub fn length(&self, states: &[State]) -> f64 {
+        states[self.p1 as usize].position.distance(states[self.p2 as usize].position)
+    }
+
     /// Energy stored, J.
     pub fn energy(&self, p1: &State, p2: &State) -> f64 {
         let stretch = p1.position.distance(p2.position) - self.rest_length;

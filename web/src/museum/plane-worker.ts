@@ -1,0 +1,118 @@
+// The worker of one prototype in the plane: steps it as fast as is wanted and the device can, and sends a picture a frame.
+
+import { Loop } from '../loop';
+import { Speedometer } from '../pacing';
+import { FRAME } from '../protocol';
+import load, { Plane } from '../wasm/teeter_museum.js';
+import type { FromPlane, PlaneCounts, ToPlane } from './protocol';
+
+/** Time of the processor for one picture, s: what cannot be done in it is not made up for. */
+const BUDGET = 0.012;
+
+const seconds = () => performance.now() / 1000;
+const send = (message: FromPlane, transfer: Transferable[] = []) => self.postMessage(message, { transfer });
+
+let memory: WebAssembly.Memory;
+let plane: Plane | null = null;
+let scene = 0;
+let speed = 0;
+/** Simulated time that is due, s. */
+let due = 0;
+const meter = new Speedometer();
+const loop = new Loop(seconds, () => plane !== null && speed > 0, advance, guard);
+
+function advance(): void {
+  const { step } = plane!;
+  const [before, start] = [plane!.time(), seconds()];
+  due += FRAME * speed;
+  while (due >= step && seconds() - start < BUDGET) {
+    plane!.advance(1);
+    due -= step;
+  }
+  due = Math.min(due, step);
+  const end = seconds();
+  meter.add(end, plane!.time() - before, end - start);
+  show();
+}
+
+function show(): void {
+  const length = 8 * plane!.length;
+  const at = plane!.cornersPtr();
+  const corners = Float32Array.from(new Float64Array(memory.buffer, at, length));
+  const contacts = Float32Array.from(plane!.contacts());
+  const held = Float32Array.from(plane!.held());
+  const counts = JSON.parse(plane!.report()) as PlaneCounts;
+  const factor = speed > 0 ? meter.factor() : 0;
+  send({ type: 'frame', scene, corners, contacts, held, counts, factor }, [corners.buffer, contacts.buffer, held.buffer]);
+}
+
+function restart(): void {
+  due = 0;
+  meter.restart();
+  loop.restart();
+}
+
+function receive(message: ToPlane): void {
+  switch (message.type) {
+    case 'build': {
+      const { method, setting, count, gap, stiffness } = message.order;
+      plane?.free();
+      plane = new Plane(JSON.stringify({ method, setting, count, gap, stiffness }));
+      scene = message.scene;
+      show();
+      restart();
+      break;
+    }
+    case 'speed':
+      speed = message.speed;
+      restart();
+      break;
+    case 'single':
+      plane?.advance(1);
+      if (plane) show();
+      break;
+    case 'hold':
+      plane?.hold(message.x, message.y);
+      break;
+    case 'drag':
+      plane?.drag(message.x, message.y);
+      break;
+    case 'release':
+      plane?.release();
+      break;
+    case 'add':
+      try {
+        plane?.add(message.x, message.y, message.vx, message.vy);
+      } catch (error) {
+        send({ type: 'refused', message: text(error) });
+      }
+      if (plane && speed === 0) show();
+      break;
+  }
+}
+
+function text(error: unknown): string {
+  return error instanceof Error ? error.message : String(error);
+}
+
+/** A fault leaves wasm memory in no known state: the scene ends, and the page says so. */
+function guard(action: () => void): void {
+  try {
+    action();
+  } catch (error) {
+    plane = null;
+    send({ type: 'failed', message: text(error) });
+  }
+}
+
+// What comes before the module is there waits.
+const early: ToPlane[] = [];
+self.onmessage = (event: MessageEvent<ToPlane>) => void early.push(event.data);
+load().then(
+  exports => {
+    memory = exports.memory;
+    self.onmessage = (event: MessageEvent<ToPlane>) => guard(() => receive(event.data));
+    for (const message of early) guard(() => receive(message));
+  },
+  (error: unknown) => send({ type: 'failed', message: `the simulator did not load (${text(error)})` }),
+);
