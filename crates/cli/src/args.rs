@@ -221,6 +221,9 @@ pub struct Validate {
     /// Low towers and few of them: shows in a minute that everything runs, not more.
     #[arg(long)]
     pub quick: bool,
+    /// What blocks are [default: rigid]. A lattice takes six times as long.
+    #[arg(long)]
+    pub form: Option<Form>,
     /// Towers of each kind [default: 20].
     #[arg(long, value_parser = clap::value_parser!(u64).range(1..=1000))]
     pub towers: Option<u64>,

@@ -15,7 +15,9 @@ pub struct Placing {
     pub others_mm: f64,
     /// The same when all is at rest.
     pub others_after_mm: f64,
-    /// Whether the block ends within 5 mm of where it was put, and no other falls.
+    /// How far aside of where it was let go the block ends, mm.
+    pub aside_mm: f64,
+    /// Whether the block ends on top, and no other falls.
     pub stays: bool,
     /// From letting go until nothing moves faster than [`STILL`] for a quarter of a second, s; none where that does not come in [`LONGEST`].
     pub rest_s: Option<f64>,
@@ -67,6 +69,11 @@ pub fn let_go(mut world: World, body: u32, height: f64) -> Placing {
         }
     }
     let now = DVec3::from_slice(&world.poses()[7 * body as usize..]);
-    let aside = (now - center).truncate().length();
-    Placing { others_mm: 1e3 * others, others_after_mm: 1e3 * places.furthest_but(&world, body), stays: !fell && aside < 5e-3, rest_s }
+    Placing {
+        others_mm: 1e3 * others,
+        others_after_mm: 1e3 * places.furthest_but(&world, body),
+        aside_mm: 1e3 * (now - center).truncate().length(),
+        stays: !fell && now.z > top,
+        rest_s,
+    }
 }

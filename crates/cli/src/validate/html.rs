@@ -2,6 +2,8 @@
 
 use std::fmt::Write as _;
 
+use teeter_scene::Form;
+
 use super::plot::escaped;
 use super::section::{Section, Size};
 
@@ -17,12 +19,16 @@ pub fn page(size: &Size, sections: &[Section]) -> String {
         format!("<!doctype html><html lang=\"en\"><meta charset=\"utf-8\"><title>Teeter: validation</title><style>{STYLE}</style>");
     let _ = write!(
         page,
-        "<h1>Teeter: validation</h1><p>Version {}, {} towers of {} rows of each kind from seed {}{}. Nothing sleeps. All figures are in \
+        "<h1>Teeter: validation</h1><p>Version {}, {} towers of {} rows of each kind from seed {}, blocks {}{}. Nothing sleeps. All figures are in \
          <a href=\"validation.json\">validation.json</a>.</p>",
         env!("CARGO_PKG_VERSION"),
         size.towers,
         size.rows,
         size.seed,
+        match size.form {
+            Form::Rigid => "rigid",
+            Form::Lattice => "of springs",
+        },
         if size.quick { ", the small size that only shows that everything runs" } else { "" }
     );
     page += "<table><tr><th>what</th><th>measured</th><th>goal</th><th></th></tr>";

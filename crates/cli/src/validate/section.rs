@@ -3,7 +3,7 @@
 use serde::Serialize;
 use serde_json::{Value, json};
 use teeter_physics::Params;
-use teeter_scene::{Scene, TowerOptions, tower};
+use teeter_scene::{Form, Scene, TowerOptions, tower};
 
 use super::plot::Plot;
 use crate::args::Validate;
@@ -89,6 +89,8 @@ pub struct Size {
     pub hours: f64,
     /// Blocks torn out.
     pub yanks: usize,
+    /// What blocks are.
+    pub form: Form,
     /// Whether it is the small size of the tests.
     pub quick: bool,
 }
@@ -103,6 +105,7 @@ impl Size {
             seed: args.seed,
             hours: args.hours.unwrap_or(small(0.01, 24.0)),
             yanks: args.yanks.map_or(small(10.0, 1000.0) as usize, |y| y as usize),
+            form: args.form.unwrap_or_default(),
             quick: args.quick,
         }
     }
@@ -116,9 +119,14 @@ impl Size {
     pub fn towers(&self, count: u64, stiffness: f64, options: &TowerOptions) -> Vec<Scene> {
         let one = |i: u64| {
             let options = TowerOptions { seed: self.seed.wrapping_add(i), ..options.clone() };
-            Scene { stiffness, ..tower(&options).expect("the options of the report are valid") }
+            Scene { stiffness, form: self.form, ..tower(&options).expect("the options of the report are valid") }
         };
         (0..count).map(one).collect()
+    }
+
+    /// The scene with blocks of this form.
+    pub fn formed(&self, scene: Scene) -> Scene {
+        Scene { form: self.form, ..scene }
     }
 
     /// A share of the towers, at least one.

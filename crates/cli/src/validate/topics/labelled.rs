@@ -18,10 +18,11 @@ const CONFIG: &[u8] = include_bytes!("../../../../../data/oracle/config.jsonl.gz
 const TILT: &[u8] = include_bytes!("../../../../../data/oracle/tilt.jsonl.gz");
 
 /// The towers of a packed file, every `step`-th of them.
-fn towers(packed: &[u8], step: usize) -> Result<Vec<Labelled>, Fault> {
+fn towers(size: &Size, packed: &[u8], step: usize) -> Result<Vec<Labelled>, Fault> {
     let mut text = String::new();
     MultiGzDecoder::new(packed).read_to_string(&mut text).map_err(super::built)?;
-    text.lines().step_by(step).map(|line| labelled::parse(line).map_err(super::built)).collect()
+    let formed = |t: Labelled| Labelled { scene: size.formed(t.scene), ..t };
+    text.lines().step_by(step).map(|line| labelled::parse(line).map(formed).map_err(super::built)).collect()
 }
 
 fn predictions(towers: &[Labelled]) -> Result<Vec<Prediction>, Fault> {
@@ -37,7 +38,7 @@ fn predictions(towers: &[Labelled]) -> Result<Vec<Prediction>, Fault> {
 
 /// Which stand.
 pub fn standing(size: &Size) -> Result<Section, Fault> {
-    let towers = towers(CONFIG, if size.quick { 40 } else { 1 })?;
+    let towers = towers(size, CONFIG, if size.quick { 40 } else { 1 })?;
     let predictions = predictions(&towers)?;
     let mut section = Section::new(
         "labelled",
@@ -68,7 +69,7 @@ pub fn standing(size: &Size) -> Result<Section, Fault> {
 
 /// At what tilt they collapse.
 pub fn tilt(size: &Size) -> Result<Section, Fault> {
-    let towers = towers(TILT, if size.quick { 10 } else { 1 })?;
+    let towers = towers(size, TILT, if size.quick { 10 } else { 1 })?;
     let predictions = predictions(&towers)?;
     let mut section = Section::new(
         "tilt",

@@ -71,13 +71,24 @@ pub fn measure(size: &Size) -> Result<Section, Fault> {
             format!("{cm:.1}"),
             three(&of(|p| p.others_mm)),
             three(&of(|p| p.others_after_mm)),
+            three(&of(|p| p.aside_mm)),
             three(&rests),
             (placed.len() - rests.len()).to_string(),
         ]);
         data.push(json!({"height_m": height, "placed": placed}));
     }
     bar.finish_and_clear();
-    section.table(&["cm", "others move mm: median, 95 %, largest", "others at rest mm", "time to rest s", "not at rest after 5 s"], rows);
+    section.table(
+        &[
+            "cm",
+            "others move mm: median, 95 %, largest",
+            "others at rest mm",
+            "the block comes to lie aside mm",
+            "time to rest s",
+            "not at rest after 5 s",
+        ],
+        rows,
+    );
     section.plots.push(Plot {
         title: "What others move".into(),
         x: Axis::new("height, cm"),
