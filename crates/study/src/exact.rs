@@ -40,6 +40,9 @@ const PRESSED: f64 = 0.05;
 /// The two answers agree where they differ by less than this share, which is twice what [`DIRECTIONS`] leaves open.
 const AGREE: f64 = 0.01;
 
+/// Area of contact that the stiffness of a scene is for, m².
+const REFERENCE_AREA: f64 = 0.0268 * 0.0268;
+
 /// Why there is no exact answer for a scene.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, thiserror::Error)]
 pub enum NoAnswer {
@@ -153,8 +156,19 @@ impl<'a> Rigid<'a> {
     /// When rigid blocks cannot rest like this.
     pub fn new(scene: &'a Scene) -> Result<Self, NoAnswer> {
         let (points, work) = held(scene)?;
-        let forces = shared(scene, &points).ok_or(NoAnswer::Unsolved)?;
+        let forces = shared(scene, &points, stiff::RIGID).ok_or(NoAnswer::Unsolved)?;
         Ok(Self { scene, points, forces, work })
+    }
+
+    /// The same blocks on contacts as stiff as those of the scene, which give by N / k: where heights differ by less than that, a block carries load that
+    /// would be none if nothing gave.
+    ///
+    /// # Errors
+    /// When the solver gives up.
+    pub fn on_springs(&self) -> Result<Self, NoAnswer> {
+        let stiffness = self.scene.stiffness * largest_area(&self.points) / REFERENCE_AREA;
+        let forces = shared(self.scene, &self.points, stiffness).ok_or(NoAnswer::Unsolved)?;
+        Ok(Self { forces, ..self.clone() })
     }
 
     /// Whether the tower of `scene` can rest at all.
@@ -381,10 +395,15 @@ fn held(scene: &Scene) -> Result<(Vec<Point>, f64), NoAnswer> {
     Ok((points, UNIT * solution.objective()))
 }
 
-/// Normal forces at the points, N, as stiff springs share them.
-fn shared(scene: &Scene, points: &[Point]) -> Option<Vec<f64>> {
+/// Largest area of a point, m².
+fn largest_area(points: &[Point]) -> f64 {
+    points.iter().map(|p| p.area).fold(0.0, f64::max)
+}
+
+/// Normal forces at the points, N, as springs share them of which that on the largest area has the `stiffness`, N/m.
+fn shared(scene: &Scene, points: &[Point], stiffness: f64) -> Option<Vec<f64>> {
     let weights: Vec<f64> = scene.blocks.iter().flat_map(|b| [b.mass * scene.gravity, 0.0, 0.0]).collect();
-    let reference: f64 = points.iter().map(|p| p.area).fold(0.0, f64::max);
+    let reference = largest_area(points);
     let spring = |point: &Point| {
         let mut acts = Vec::new();
         point.acts(|body, sign| {
@@ -395,7 +414,7 @@ fn shared(scene: &Scene, points: &[Point]) -> Option<Vec<f64>> {
     };
     // each block lower than where it was built, and against the one below it by more than heights differ
     let start = scene.blocks.iter().flat_map(|b| [-PRESSED * top(b), 0.0, 0.0]).collect();
-    stiff::forces(&points.iter().map(spring).collect::<Vec<_>>(), &weights, start)
+    stiff::forces(&points.iter().map(spring).collect::<Vec<_>>(), &weights, start, stiffness)
 }
 
 /// Every point at which blocks may touch.
@@ -426,6 +445,30 @@ fn touching(blocks: &[Block]) -> Vec<Point> {
 mod tests {
     use super::*;
     use teeter_scene::{NAMED, TowerOptions, Verdict, config, named, tower};
+
+    /// A block 1 µm lower than its neighbours carries nothing under rigid blocks, and its share of the load, less 1 µm of stiffness, on springs.
+    #[test]
+    fn a_block_lower_by_less_than_contacts_give_bears_on_springs() {
+        let mut scene = config("(111)-(111)", &TowerOptions::exact()).unwrap();
+        let low = 1e-6;
+        scene.blocks[1].size[2] -= low;
+        scene.blocks[1].pos[2] -= 0.5 * low;
+        let rigid = Rigid::new(&scene).unwrap();
+        assert!(rigid.force_above(1) < 1e-6);
+        for k in [3e5, 3e6] {
+            let scene = Scene { stiffness: k, ..scene.clone() };
+            let rigid = Rigid::new(&scene).unwrap();
+            let springs = rigid.on_springs().unwrap();
+            let weight = 3.0 * scene.blocks[0].mass * scene.gravity;
+            // three springs under the weight of a row, of which the middle is shorter; 9 patches above, and as much give on the floor, three times the area
+            let own = 1.0 / (1.0 / (3.0 * k) + 1.0 / (k * scene.blocks[1].size[0] * scene.blocks[1].size[1] / REFERENCE_AREA));
+            let expected = ((weight - 2.0 * own * low) / 3.0).max(0.0);
+            let force = springs.force_above(1);
+            assert!((force - expected).abs() < 0.01 * weight, "{k:e}: {force} instead of {expected}");
+            let all = springs.force_above(0) + force + springs.force_above(2);
+            assert!((all / weight - 1.0).abs() < 1e-4);
+        }
+    }
 
     #[test]
     fn a_block_of_a_column_takes_all_above_it_along() {

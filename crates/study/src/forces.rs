@@ -25,6 +25,9 @@ pub struct BlockForces {
     pub backward_n: Option<f64>,
     /// What rigid blocks would need; none where they cannot rest like this.
     pub exact: Option<Answer>,
+    /// What sliding straight would need on contacts as stiff as the scene's, N; see [`Rigid::on_springs`].
+    #[serde(rename = "on_springs_N")]
+    pub on_springs_n: Option<f64>,
     /// What it carries in the settled state.
     pub load: Load,
 }
@@ -33,6 +36,12 @@ impl BlockForces {
     /// The force of each direction, N.
     pub fn both(&self) -> [Option<f64>; 2] {
         [self.forward_n, self.backward_n]
+    }
+
+    /// Whether heights decide what the block carries: contacts that give as the scene's do say what rigid ones say, within 1 %. Where heights differ by
+    /// less than contacts give, rigid blocks are no answer.
+    pub fn is_generic(&self) -> bool {
+        self.exact.zip(self.on_springs_n).is_some_and(|(exact, soft)| (soft - exact.straight_n).abs() <= 0.01 * exact.straight_n)
     }
 }
 
@@ -49,6 +58,7 @@ pub fn forces(scene: &Scene, params: Params, done: impl Fn() + Sync) -> Result<V
 pub fn forces_from(scene: &Scene, world: &World, done: impl Fn() + Sync) -> Vec<BlockForces> {
     let loads = xray(world, scene.friction);
     let rigid = Rigid::new(scene).ok();
+    let springs = rigid.as_ref().and_then(|r| r.on_springs().ok());
     let blocks: Vec<usize> = (0..scene.blocks.len()).collect();
     each(&blocks, |&i| {
         let axis = long_axis(&scene.blocks[i]).extend(0.0);
@@ -58,6 +68,7 @@ pub fn forces_from(scene: &Scene, world: &World, done: impl Fn() + Sync) -> Vec<
             forward_n: pull(axis),
             backward_n: pull(-axis),
             exact: rigid.as_ref().and_then(|r| r.answer(i).ok()),
+            on_springs_n: springs.as_ref().map(|s| s.straight_pull(i)),
             load: loads[i],
         };
         done();

@@ -13,8 +13,10 @@
 
 use crate::linear::solve;
 
-/// Softest and stiffest springs, N/m. At the stiffest a force of 1 N overlaps by 1 nm, and heights differ by 0.1 mm.
-const STIFFNESS: (f64, f64) = (1e4, 1e9);
+/// Springs with which the search begins, N/m.
+const SOFTEST: f64 = 1e4;
+/// Springs that are as good as rigid, N/m: a force of 1 N overlaps by 1 nm, and heights differ by 0.1 mm.
+pub const RIGID: f64 = 1e9;
 /// Most steps of Newton's method at one stiffness.
 const STEPS: usize = 200;
 /// Share of the largest stiffness that holds what no spring does, so that each step has an answer.
@@ -33,17 +35,17 @@ pub struct Spring {
     pub share: f64,
 }
 
-/// The forces (N) of very stiff springs under `weights`, one an unknown (N, and for a tilt N times its unit of length). The search begins at `start`,
+/// The forces (N) of springs of the `stiffness` (N/m) under `weights`, one an unknown (N, and for a tilt N times its unit of length). The search begins at `start`,
 /// best where all springs push. None where they do not come to rest.
-pub fn forces(springs: &[Spring], weights: &[f64], start: Vec<f64>) -> Option<Vec<f64>> {
+pub fn forces(springs: &[Spring], weights: &[f64], start: Vec<f64>, stiffness: f64) -> Option<Vec<f64>> {
     let mut u = start;
-    let mut k = STIFFNESS.0;
+    let mut k = SOFTEST.min(stiffness);
     loop {
         rest(springs, weights, k, &mut u)?;
-        if k >= STIFFNESS.1 {
+        if k >= stiffness {
             return Some(springs.iter().map(|s| k * s.share * s.overlap(&u)).collect());
         }
-        k *= 10.0;
+        k = (10.0 * k).min(stiffness);
     }
 }
 
@@ -106,7 +108,7 @@ mod tests {
     #[test]
     fn only_springs_that_are_reached_push() {
         let spring = |gap, share| Spring { acts: vec![(0, 1.0)], gap, share };
-        let forces = forces(&[spring(0.0, 1.0), spring(0.0, 3.0), spring(1e-4, 1.0)], &[2.0], vec![-1e-3]).unwrap();
+        let forces = forces(&[spring(0.0, 1.0), spring(0.0, 3.0), spring(1e-4, 1.0)], &[2.0], vec![-1e-3], RIGID).unwrap();
         for (force, expected) in forces.into_iter().zip([0.5, 1.5, 0.0]) {
             assert!((force - expected).abs() < 1e-6, "{force} instead of {expected} N");
         }
@@ -115,6 +117,6 @@ mod tests {
     #[test]
     fn what_nothing_holds_does_not_rest() {
         let spring = Spring { acts: vec![(0, 1.0)], gap: 0.0, share: 1.0 };
-        assert!(forces(&[spring], &[1.0, 1.0], vec![0.0; 2]).is_none());
+        assert!(forces(&[spring], &[1.0, 1.0], vec![0.0; 2], RIGID).is_none());
     }
 }

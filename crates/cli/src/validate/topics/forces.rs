@@ -2,7 +2,7 @@
 
 use serde_json::json;
 use teeter_scene::Scene;
-use teeter_study::{BlockForces, forces};
+use teeter_study::{Answer, BlockForces, forces};
 
 use super::super::plot::{Axis, Plot, Series};
 use super::super::section::{Section, Size, params};
@@ -22,16 +22,15 @@ pub fn measure(size: &Size) -> Result<Section, Fault> {
         "Each block of a settled tower is pulled both ways along its length by a force that grows slowly; the last states before it slides are tried again \
          with the force held still, so that inertia does not count. Rigid blocks give three forces from the same normal forces: sliding straight; with what lies \
          above turning; and the one at which the tower rocks instead. The answer is exact where the first two agree within 1 % and the tower does not rock \
-         before; elsewhere the engine is held against the range from turning to straight. A block leans with the tower, so its two directions differ by twice its weight \
+         before, and where contacts of the scene's stiffness, at rest, say the same as rigid ones; elsewhere the engine is held against the range from turning to straight. A block leans with the tower, so its two directions differ by twice its weight \
          times the slope: the mean of both is compared.",
     );
     let stiffest = if size.quick { 1e6 } else { 3e6 };
     let all = maps(size, size.towers, stiffest)?;
-    let exact: Vec<(f64, f64)> =
-        all.iter().filter_map(|b| b.exact.filter(|e| e.is_exact()).zip(middle(b)).map(|(e, f)| (e.straight_n, f))).collect();
+    let exact: Vec<(f64, f64)> = all.iter().filter_map(|b| exact_of(b).zip(middle(b)).map(|(e, f)| (e.straight_n, f))).collect();
     let errors: Vec<f64> = exact.iter().map(|(e, f)| (e - f).abs()).collect();
     let tight: Vec<(f64, f64)> = exact.iter().copied().filter(|p| p.0 > FOUND).collect();
-    let loose: Vec<&BlockForces> = all.iter().filter(|b| b.exact.is_some_and(|e| e.straight_n < FOUND)).collect();
+    let loose: Vec<&BlockForces> = all.iter().filter(|b| b.is_generic() && b.exact.is_some_and(|e| e.straight_n < FOUND)).collect();
     let found = loose.iter().filter(|b| b.both().iter().all(|f| f.is_some_and(|f| f < FOUND))).count();
     let r = correlation(&exact);
     section.goal("force map where exact: correlation", format!("{r:.5}"), "0.995", r >= 0.995);
@@ -42,6 +41,16 @@ pub fn measure(size: &Size) -> Result<Section, Fault> {
     section.say(
         "tight ones among them: correlation, mean error",
         format!("{:.5}, {:.4} N", correlation(&tight), mean(&tight.iter().map(|(e, f)| (e - f).abs()).collect::<Vec<_>>())),
+    );
+    // heights within what contacts give: the straight answer of springs of the same stiffness in place of that of rigid blocks
+    let close: Vec<(f64, f64)> = all
+        .iter()
+        .filter(|b| !b.is_generic() && b.exact.is_some_and(|e| e.straight_n < FOUND))
+        .filter_map(|b| b.on_springs_n.zip(middle(b)))
+        .collect();
+    section.say(
+        "blocks that only rigid blocks call loose, for heights differ by less than contacts give: straight pull on springs at rest, and measured",
+        if close.is_empty() { "none".into() } else { close.iter().map(|(s, f)| format!("{s:.3} N, {f:.3} N")).collect::<Vec<_>>().join("; ") },
     );
     let turning: Vec<(f64, f64)> =
         all.iter().filter_map(|b| b.exact.filter(|e| !e.is_exact() && !e.rocks()).zip(middle(b)).map(|(e, f)| (e.turning_n, f))).collect();
@@ -68,9 +77,9 @@ pub fn measure(size: &Size) -> Result<Section, Fault> {
         let of = |keep: &dyn Fn(&BlockForces) -> Option<f64>| -> Vec<f64> {
             blocks.iter().filter_map(|b| Some((keep(b)? - middle(b)?).abs())).collect()
         };
-        let exact = of(&|b| b.exact.filter(|e| e.is_exact()).map(|e| e.straight_n));
+        let exact = of(&|b| exact_of(b).map(|e| e.straight_n));
         let turning = of(&|b| b.exact.filter(|e| !e.is_exact() && !e.rocks()).map(|e| e.turning_n));
-        let loose: Vec<&BlockForces> = blocks.iter().filter(|b| b.exact.is_some_and(|e| e.straight_n < FOUND)).collect();
+        let loose: Vec<&BlockForces> = blocks.iter().filter(|b| b.is_generic() && b.exact.is_some_and(|e| e.straight_n < FOUND)).collect();
         let found = loose.iter().filter(|b| b.both().iter().all(|f| f.is_some_and(|f| f < FOUND))).count();
         errors_of.points.push((*k, mean(&exact)));
         turning_of.points.push((*k, mean(&turning)));
@@ -99,6 +108,11 @@ pub fn measure(size: &Size) -> Result<Section, Fault> {
     });
     section.data = json!({"stiffness": stiffest, "blocks": all});
     Ok(section)
+}
+
+/// The exact answer for a block, where there is one.
+fn exact_of(block: &BlockForces) -> Option<Answer> {
+    block.exact.filter(|e| e.is_exact() && block.is_generic())
 }
 
 /// The mean of both directions, N.

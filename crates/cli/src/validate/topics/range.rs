@@ -14,7 +14,7 @@ use crate::output;
 struct Seen {
     stands: bool,
     /// Loose in the X-ray and for rigid blocks, and blocks of which the two agree.
-    agree: usize,
+    agree: Option<usize>,
     blocks: usize,
     /// Force that starts a loose block over mu m g, off by.
     off: Vec<f64>,
@@ -42,10 +42,11 @@ pub fn measure(size: &Size) -> Result<Section, Fault> {
                 let scenes = size.towers(towers, stiffness, &TowerOptions { block, friction, ..size.options() });
                 let seen = each(&scenes, |scene| {
                     let world = settled(scene, params()).map_err(built)?;
-                    let (loads, rigid) = (xray(&world, friction), Rigid::new(scene).map_err(built)?);
+                    let (loads, rigid) = (xray(&world, friction), Rigid::new(scene).ok());
                     let below_top = scene.blocks.len() - 3;
                     let loose: Vec<usize> = (0..below_top).filter(|&i| loads[i].is_loose()).collect();
-                    let agree = (0..below_top).filter(|&i| loads[i].is_loose() == (rigid.force_above(i) < 1e-3)).count();
+                    // none where the programme is not solved
+                    let agree = rigid.map(|rigid| (0..below_top).filter(|&i| loads[i].is_loose() == (rigid.force_above(i) < 1e-3)).count());
                     let step = (loose.len() / 3).max(1);
                     let (mut off, mut out, mut others_mm) = (Vec::new(), Vec::new(), Vec::new());
                     for &i in loose.iter().step_by(step).take(3) {
@@ -73,8 +74,8 @@ pub fn measure(size: &Size) -> Result<Section, Fault> {
                 let flat = |f: &dyn Fn(&Seen) -> Vec<f64>| seen.iter().flat_map(f).collect::<Vec<f64>>();
                 let (off, others) = (flat(&|s| s.off.clone()), flat(&|s| s.others_mm.clone()));
                 let out: Vec<bool> = seen.iter().flat_map(|s| s.out.clone()).collect();
-                let agree =
-                    100.0 * seen.iter().map(|s| s.agree).sum::<usize>() as f64 / seen.iter().map(|s| s.blocks).sum::<usize>() as f64;
+                let answered: Vec<(usize, usize)> = seen.iter().filter_map(|s| Some((s.agree?, s.blocks))).collect();
+                let agree = 100.0 * answered.iter().map(|a| a.0).sum::<usize>() as f64 / answered.iter().map(|a| a.1).sum::<usize>() as f64;
                 rows.push(vec![
                     block.to_string(),
                     friction.to_string(),
