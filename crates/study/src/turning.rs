@@ -29,8 +29,8 @@ const UNIT: f64 = 3e-2;
 pub enum Spread {
     /// At its corners.
     Corners,
-    /// At its corners, drawn towards the centre of pressure by the lever of [`crate::torsion`] or by another: what the engine does.
-    Lever(Option<f64>),
+    /// At its corners, drawn towards the centre of pressure by the lever of [`crate::torsion`]: what the engine does.
+    Lever,
     /// At the middles of so many by so many cells.
     Mesh(usize),
 }
@@ -162,10 +162,7 @@ fn grips(scene: &Scene, rigid: &Rigid, spread: Spread) -> Vec<Grip> {
         let middle: DVec2 = patch.corners.iter().map(|&(place, force)| place * force).sum::<DVec2>() / total;
         match spread {
             Spread::Corners => patch.corners.iter().for_each(|&(place, force)| add(place, force)),
-            Spread::Lever(lever) => {
-                let lever = lever.unwrap_or(patch.lever);
-                patch.corners.iter().for_each(|&(place, force)| add(middle + (place - middle) * lever, force));
-            }
+            Spread::Lever => patch.corners.iter().for_each(|&(place, force)| add(middle + (place - middle) * patch.lever, force)),
             Spread::Mesh(cells) => patch.mesh(cells).into_iter().for_each(|(place, force)| add(place, force)),
         }
     }
@@ -181,7 +178,7 @@ mod tests {
     fn a_column_does_not_turn() {
         let scene = named("column").unwrap();
         let rigid = Rigid::new(&scene).unwrap();
-        for spread in [Spread::Corners, Spread::Lever(None), Spread::Mesh(6)] {
+        for spread in [Spread::Corners, Spread::Lever, Spread::Mesh(6)] {
             let motion = motion(&scene, &rigid, 3, spread).unwrap();
             assert!((motion.force_n / rigid.straight_pull(3) - 1.0).abs() < 1e-3, "{motion:?}");
             for (i, v) in motion.velocities.iter().enumerate() {
@@ -196,7 +193,7 @@ mod tests {
         let scene = tower(&TowerOptions { rows: 6, ..TowerOptions::default() }).unwrap();
         let rigid = Rigid::new(&scene).unwrap();
         for block in 0..15 {
-            let (power, limit) = (motion(&scene, &rigid, block, Spread::Lever(None)).unwrap().force_n, rigid.turning_pull(block).unwrap());
+            let (power, limit) = (motion(&scene, &rigid, block, Spread::Lever).unwrap().force_n, rigid.turning_pull(block).unwrap());
             // the polygon that stands for the circle of friction leaves 0.5 % open
             assert!(power > limit * 0.999 && power < limit * 1.008, "block {block}: {power} and {limit} N");
         }
