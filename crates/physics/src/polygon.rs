@@ -185,7 +185,10 @@ mod tests {
                     moment += triangle / f64::from(strips) * (x * x + y * y).sqrt() * (2.0 / 3.0);
                 }
             }
-            let corner = |i: usize| patch.shares[i] * ((corners[i].u - u).powi(2) + (corners[i].v - v).powi(2)).sqrt();
+            let corner = |i: usize| {
+                let (x, y) = (corners[i].u - u, corners[i].v - v);
+                patch.shares[i] * (x * x + y * y).sqrt()
+            };
             let at_corners: f64 = (0..n).map(corner).sum();
             prop_assert!((patch.area / area - 1.0).abs() < 1e-9);
             prop_assert!((patch.lever * at_corners / (moment / area) - 1.0).abs() < 1e-5);
