@@ -3,11 +3,11 @@
 //!
 //! Every error is the text of the Rust error.
 
-mod failure;
 mod fit;
 mod plane;
 mod space;
 
-pub use failure::Failure;
 pub use plane::Plane;
 pub use space::Space;
+
+use teeter_failure::Failure;

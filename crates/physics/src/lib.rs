@@ -54,6 +54,7 @@ mod step;
 mod sync;
 mod world;
 
+pub use constants::REFERENCE_AREA;
 pub use input::{AppliedForce, Drive, Grip, Hand, Input};
 pub use params::{Params, Precision, Width};
 pub use report::{ContactReport, HandReport, LatticeReport, StepReport};

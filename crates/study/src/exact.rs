@@ -21,6 +21,7 @@
 use glam::{DVec2, DVec3};
 use microlp::{ComparisonOp, LinearExpr, OptimizationDirection, Problem, Variable};
 use serde::Serialize;
+use teeter_physics::REFERENCE_AREA;
 use teeter_scene::{Block, Scene};
 
 use crate::plan::{area, bottom, center, corners, hull, long_axis, overlap, top, way_within};
@@ -39,9 +40,6 @@ const NONE: f64 = 1e-9;
 const PRESSED: f64 = 0.05;
 /// The two answers agree where they differ by less than this share, which is twice what [`DIRECTIONS`] leaves open.
 const AGREE: f64 = 0.01;
-
-/// Area of contact that the stiffness of a scene is for, m².
-const REFERENCE_AREA: f64 = 0.0268 * 0.0268;
 
 /// Why there is no exact answer for a scene.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, thiserror::Error)]

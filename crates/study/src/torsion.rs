@@ -7,7 +7,7 @@
 //! ```
 //!
 //! Forces at the corners, with their shares w_i of the load, resist with mu N sum w_i r_i instead. What makes the second the first is the ratio of the two,
-//! the lever by which the distances of the corners are to be multiplied.
+//! the lever by which the distances of the corners are to be multiplied. The engine has a form of its own of it, which is measured against this one.
 
 use glam::DVec2;
 

@@ -119,7 +119,7 @@ impl Size {
     pub fn towers(&self, count: u64, stiffness: f64, options: &TowerOptions) -> Vec<Scene> {
         let one = |i: u64| {
             let options = TowerOptions { seed: self.seed.wrapping_add(i), ..options.clone() };
-            Scene { stiffness, form: self.form, ..tower(&options).expect("the options of the report are valid") }
+            self.formed(Scene { stiffness, ..tower(&options).expect("the options of the report are valid") })
         };
         (0..count).map(one).collect()
     }

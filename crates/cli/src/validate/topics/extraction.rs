@@ -23,6 +23,15 @@ const REFERENCE: f64 = 3e6;
 /// A settled tower, and its loose blocks with their axes.
 type Loose = (World, Vec<(u32, DVec3)>);
 
+/// A loose block in its tower, and its axis.
+type Pull<'a> = (&'a World, u32, DVec3);
+
+/// What is to be taken out of towers; few where it is to be `quick`.
+fn pulls(worlds: &[Loose], quick: bool) -> Vec<Pull<'_>> {
+    let all = worlds.iter().flat_map(|(w, l)| l.iter().map(move |&(i, axis)| (w, i, axis)));
+    all.take(if quick { 4 } else { usize::MAX }).collect()
+}
+
 /// The loose blocks of settled towers below the top row.
 fn loose_blocks(scenes: &[Scene]) -> Result<Vec<Loose>, Fault> {
     let of = |scene: &Scene| {
@@ -46,21 +55,17 @@ pub fn measure(size: &Size) -> Result<Section, Fault> {
     );
     let worlds = |stiffness| loose_blocks(&size.towers(size.towers, stiffness, &size.options()));
     let (usual, reference) = (worlds(STIFFNESS)?, worlds(REFERENCE)?);
+    let (usual, reference) = (pulls(&usual, size.quick), pulls(&reference, size.quick));
     let speeds: &[f64] = if size.quick { &[0.05, 0.5] } else { &[0.02, 0.05, 0.1, 0.5] };
-    let cases: Vec<(f64, f64, &[Loose])> =
+    let cases: Vec<(f64, f64, &[Pull])> =
         speeds.iter().map(|&speed| (STIFFNESS, speed, &usual[..])).chain([(REFERENCE, 0.05, &reference[..])]).collect();
-    let blocks = |worlds: &[Loose]| worlds.iter().map(|(_, l)| l.len() as u64).sum::<u64>();
-    let bar = output::progress(cases.iter().map(|c| blocks(c.2)).sum(), "extractions");
+    let bar = output::progress(cases.iter().map(|c| c.2.len() as u64).sum(), "extractions");
     let (mut success, mut moved) =
         (Series { line: true, ..Series::default() }, Series { name: "mean".into(), line: true, ..Series::default() });
     let mut most = Series { name: "largest".into(), line: true, ..Series::default() };
     let (mut rows, mut data) = (Vec::new(), Vec::<Value>::new());
-    for (stiffness, speed, worlds) in cases {
-        let mut all: Vec<(&World, u32, DVec3)> = worlds.iter().flat_map(|(w, l)| l.iter().map(move |&(i, axis)| (w, i, axis))).collect();
-        if size.quick {
-            all.truncate(4);
-        }
-        let taken: Vec<Extraction> = each(&all, |&(world, body, axis)| {
+    for (stiffness, speed, all) in cases {
+        let taken: Vec<Extraction> = each(all, |&(world, body, axis)| {
             let taken = extract(world, body, axis, speed);
             bar.inc(1);
             taken
@@ -93,12 +98,8 @@ pub fn measure(size: &Size) -> Result<Section, Fault> {
             taken.iter().filter(|t| t.fell).count().to_string(),
             format!("{:.2}", quantile(&force, 0.5)),
         ]);
-        let failed: Vec<Value> = taken
-            .iter()
-            .zip(&all)
-            .filter(|(t, _)| !t.out || t.others_mm > DISTURBS)
-            .map(|(t, a)| json!({"body": a.1, "seen": t}))
-            .collect();
+        let failed: Vec<Value> =
+            taken.iter().zip(all).filter(|(t, _)| !t.out || t.others_mm > DISTURBS).map(|(t, a)| json!({"body": a.1, "seen": t})).collect();
         data.push(json!({"stiffness": stiffness, "speed": speed, "others_mm": others, "disturbing": failed}));
     }
     bar.finish_and_clear();

@@ -30,11 +30,10 @@ pub fn measure(size: &Size) -> Result<Section, Fault> {
     let exact: Vec<(f64, f64)> = all.iter().filter_map(|b| exact_of(b).zip(middle(b)).map(|(e, f)| (e.straight_n, f))).collect();
     let errors: Vec<f64> = exact.iter().map(|(e, f)| (e - f).abs()).collect();
     let tight: Vec<(f64, f64)> = exact.iter().copied().filter(|p| p.0 > FOUND).collect();
-    let loose: Vec<&BlockForces> = all.iter().filter(|b| b.is_generic() && b.exact.is_some_and(|e| e.straight_n < FOUND)).collect();
-    let found = loose.iter().filter(|b| b.both().iter().all(|f| f.is_some_and(|f| f < FOUND))).count();
+    let (found, loose) = loose_found(&all);
     let r = correlation(&exact);
     section.goal("force map where exact: correlation", format!("{r:.5}"), "0.995", r >= 0.995);
-    section.goal("loose blocks found below 0.1 N", format!("{found} of {}", loose.len()), "every one", found == loose.len());
+    section.goal("loose blocks found below 0.1 N", format!("{found} of {loose}"), "every one", found == loose);
     section.goal("force map where exact: mean error", format!("{:.4} N", mean(&errors)), "0.02 N", mean(&errors) <= 0.02);
     section.say("the same, 95 % within", format!("{:.4} N", quantile(&errors, 0.95)));
     section.say("blocks with an exact answer", format!("{} of {}, {} of them tight", exact.len(), all.len(), tight.len()));
@@ -43,11 +42,8 @@ pub fn measure(size: &Size) -> Result<Section, Fault> {
         format!("{:.5}, {:.4} N", correlation(&tight), mean(&tight.iter().map(|(e, f)| (e - f).abs()).collect::<Vec<_>>())),
     );
     // heights within what contacts give: the straight answer of springs of the same stiffness in place of that of rigid blocks
-    let close: Vec<(f64, f64)> = all
-        .iter()
-        .filter(|b| !b.is_generic() && b.exact.is_some_and(|e| e.straight_n < FOUND))
-        .filter_map(|b| b.on_springs_n.zip(middle(b)))
-        .collect();
+    let close: Vec<(f64, f64)> =
+        all.iter().filter(|b| !b.is_generic() && loose_by_rigid(b)).filter_map(|b| b.on_springs_n.zip(middle(b))).collect();
     section.say(
         "blocks that only rigid blocks call loose, for heights differ by less than contacts give: straight pull on springs at rest, and measured",
         if close.is_empty() { "none".into() } else { close.iter().map(|(s, f)| format!("{s:.3} N, {f:.3} N")).collect::<Vec<_>>().join("; ") },
@@ -79,15 +75,14 @@ pub fn measure(size: &Size) -> Result<Section, Fault> {
         };
         let exact = of(&|b| exact_of(b).map(|e| e.straight_n));
         let turning = of(&|b| b.exact.filter(|e| !e.is_exact() && !e.rocks()).map(|e| e.turning_n));
-        let loose: Vec<&BlockForces> = blocks.iter().filter(|b| b.is_generic() && b.exact.is_some_and(|e| e.straight_n < FOUND)).collect();
-        let found = loose.iter().filter(|b| b.both().iter().all(|f| f.is_some_and(|f| f < FOUND))).count();
+        let (found, loose) = loose_found(blocks);
         errors_of.points.push((*k, mean(&exact)));
         turning_of.points.push((*k, mean(&turning)));
         rows.push(vec![
             format!("{k:.0e}"),
             format!("{:.4}", mean(&exact)),
             format!("{:.4}", mean(&turning)),
-            format!("{found} of {}", loose.len()),
+            format!("{found} of {loose}"),
         ]);
     }
     section.table(&["stiffness N/m", "mean error where exact N", "from the turning answer N", "loose found"], rows);
@@ -108,6 +103,17 @@ pub fn measure(size: &Size) -> Result<Section, Fault> {
     });
     section.data = json!({"stiffness": stiffest, "blocks": all});
     Ok(section)
+}
+
+/// Whether rigid blocks call a block loose.
+fn loose_by_rigid(block: &BlockForces) -> bool {
+    block.exact.is_some_and(|e| e.straight_n < FOUND)
+}
+
+/// How many blocks that are loose beyond doubt start below [`FOUND`] both ways, and how many there are.
+fn loose_found(blocks: &[BlockForces]) -> (usize, usize) {
+    let loose: Vec<&BlockForces> = blocks.iter().filter(|b| b.is_generic() && loose_by_rigid(b)).collect();
+    (loose.iter().filter(|b| b.both().iter().all(|f| f.is_some_and(|f| f < FOUND))).count(), loose.len())
 }
 
 /// The exact answer for a block, where there is one.

@@ -1,4 +1,4 @@
-//! What cannot be done, as JavaScript hears of it.
+//! What cannot be done, as JavaScript hears of it: for each WebAssembly module of the page.
 
 use wasm_bindgen::prelude::*;
 
@@ -8,7 +8,7 @@ pub struct Failure(pub String);
 
 impl Failure {
     /// A failure that names what was being read.
-    pub(crate) fn reading(what: &str, error: impl std::fmt::Display) -> Self {
+    pub fn reading(what: &str, error: impl std::fmt::Display) -> Self {
         Self(format!("{what}: {error}"))
     }
 }
