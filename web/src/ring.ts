@@ -23,8 +23,24 @@ const RADIUS = 24;
 /** Length of the force's arrow, px/N. */
 const ARROW = 22;
 
+/** What the element `ring` of a page is filled with. */
+const PICTURE = `
+  <g id="ring-group" visibility="hidden">
+    <line id="ring-arrow" x1="0" y1="0" x2="0" y2="0" marker-end="url(#ring-head)" />
+    <circle id="ring-track" r="${RADIUS}" />
+    <circle id="ring-arc" r="${RADIUS}" pathLength="100" transform="rotate(-90)" />
+    <circle id="ring-dot" r="2.5" />
+    <text id="ring-force" y="44"></text>
+    <text id="ring-note" y="61"></text>
+  </g>
+  <defs>
+    <marker id="ring-head" viewBox="0 0 8 8" refX="5" refY="4" markerWidth="5" markerHeight="5" orient="auto-start-reverse">
+      <path d="M0 0 8 4 0 8z" />
+    </marker>
+  </defs>`;
+
 export class Ring {
-  private readonly group = element('ring-group');
+  private readonly group = drawn();
   private readonly arc = element('ring-arc');
   private readonly arrow = element('ring-arrow');
   private readonly force = element('ring-force');
@@ -82,6 +98,12 @@ export function ringOf(hand: Hand, told: HandState | null, bodies: Bodies, orbit
 export function heldBy({ bodies, force }: { bodies: number[]; force: number }): string {
   if (bodies.length === 0) return '';
   return `held by ${bodies.length === 1 ? '1 block' : `${bodies.length} blocks`}, ${force.toFixed(1)} N`;
+}
+
+/** Draws the ring, hidden, and gives what moves with the hand. */
+function drawn(): SVGElement {
+  element('ring').innerHTML = PICTURE;
+  return element('ring-group');
 }
 
 function element(id: string): SVGElement {

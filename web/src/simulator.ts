@@ -1,10 +1,11 @@
 // The wasm world with the hand led along: what the worker runs. It knows no clock and no messages.
 
 import { Glide } from './glide';
+import { grasped, sameGrasp } from './grasp';
 import { farthest, LATTICE_STRIDE, strains } from './lattice';
 import { Leash } from './leash';
-import { FRAME, POSE_STRIDE, type Contact, type Form, type HandState, type Quat, type SceneSource, type Vec, type Wish } from './protocol';
-import { add, length, rotate } from './vectors';
+import { FRAME, POSE_STRIDE, type Contact, type Form, type HandState, type SceneSource, type Vec, type Wish } from './protocol';
+import { length } from './vectors';
 import { Simulation, namedScene, towerScene } from './wasm/teeter_wasm.js';
 
 /** What is touched here of a scene. */
@@ -172,8 +173,7 @@ export class Simulator {
   /** What the player wants of the hand; null lets go. */
   want(wish: Wish | null): void {
     if (wish && wish.body >= this.simulation.length) return;
-    const same = wish && this.wish && wish.body === this.wish.body && wish.anchor.every((x, i) => x === this.wish!.anchor[i]);
-    if (!same) {
+    if (!sameGrasp(wish, this.wish)) {
       this.leash = null;
       this.held = 0;
       this.force = 0;
@@ -186,7 +186,7 @@ export class Simulator {
     if (blocks) this.simulation.setForm(JSON.stringify({ form: blocks.form, springs: { ...this.springs, stiffness: blocks.springs } }));
     const wish = this.wish;
     if (!wish) return this.finish('', null);
-    const { point, orientation } = this.grasped(wish);
+    const { point, orientation } = grasped(this.view(), wish);
     this.leash ??= new Leash(point, orientation);
     this.leash.advance(wish, point, this.force > SPENT * wish.maxForce, FRAME);
     this.held += FRAME;
@@ -203,6 +203,22 @@ export class Simulator {
     return this.finish(JSON.stringify({ hand }), wish);
   }
 
+  /** What a frame tells of the last step; the poses are a copy that may be given away. */
+  told({ report, hand, handDone }: Step) {
+    return {
+      time: report.time,
+      poses: this.poses(),
+      hand,
+      handDone,
+      awake: report.awake,
+      touching: report.touching,
+      penetration: report.penetration,
+      maxSpeed: report.max_speed,
+      quarantined: report.quarantined,
+      form: this.form,
+    };
+  }
+
   private finish(input: string, wish: Wish | null): Step {
     const report = JSON.parse(this.simulation.step(input)) as StepReport;
     for (const body of report.quarantined) this.quarantined.add(body);
@@ -213,20 +229,13 @@ export class Simulator {
       grip: wish.grip,
       force: report.hand?.force ?? [0, 0, 0],
       capped: report.hand?.capped ?? false,
-      point: report.hand?.point ?? this.grasped(wish).point,
+      point: report.hand?.point ?? grasped(this.view(), wish).point,
       target: this.leash?.target() ?? wish.target,
       contacts: this.contacts(wish.body),
     };
     const handDone = wish !== null && wish.seconds !== null && this.held >= wish.seconds;
     if (handDone) this.want(null);
     return { report, hand, handDone };
-  }
-
-  private grasped(wish: Wish): { point: Vec; orientation: Quat } {
-    const at = wish.body * POSE_STRIDE;
-    const [x, y, z, ...turn] = this.view().subarray(at, at + POSE_STRIDE);
-    const orientation = turn as Quat;
-    return { point: add([x, y, z], rotate(orientation, wish.anchor)), orientation };
   }
 
   /** Memory may have grown since the last view, so each is made anew. */

@@ -1,6 +1,7 @@
 // The worker: owns the world, keeps it in step with the wall clock, and sends one message a step.
 
 import { Device } from './device';
+import { guarded, text } from './fault';
 import { Loop } from './loop';
 import { Speedometer } from './pacing';
 import { FRAME, type FromWorker, type Question, type SceneEntry, type ToWorker } from './protocol';
@@ -25,6 +26,10 @@ let last: Step | null = null;
 const speedometer = new Speedometer();
 const stillness = new Stillness();
 const device = new Device(form => trial(form, seconds));
+const guard = guarded(message => {
+  simulator = null;
+  send({ type: 'failed', message });
+});
 const loop = new Loop(
   seconds,
   () => simulator !== null && !paused,
@@ -50,29 +55,20 @@ function showXRay(simulator: Simulator): void {
   if (xrayed) send({ type: 'xray', world, forces: stillness.still ? simulator.xray() : null });
 }
 
-function show(simulator: Simulator, { report, hand, handDone }: Step): void {
+function show(simulator: Simulator, step: Step): void {
   const lattices = simulator.lattices(watched);
-  const poses = simulator.poses();
+  const told = simulator.told(step);
   send(
     {
       type: 'frame',
       world,
-      time: report.time,
-      poses,
-      hand,
-      handDone,
-      awake: report.awake,
-      touching: report.touching,
-      penetration: report.penetration,
-      maxSpeed: report.max_speed,
-      quarantined: report.quarantined,
+      ...told,
       factor: speedometer.factor(),
       capacity: speedometer.capacity(),
-      form: simulator.form,
       springs: simulator.springStiffness,
       lattices,
     },
-    lattices ? [poses.buffer, lattices.buffer] : [poses.buffer],
+    lattices ? [told.poses.buffer, lattices.buffer] : [told.poses.buffer],
   );
 }
 
@@ -147,20 +143,6 @@ function receive(message: ToWorker): void {
     case 'ask':
       send({ type: 'answer', id: message.id, value: answer(message.question) });
       break;
-  }
-}
-
-function text(error: unknown): string {
-  return error instanceof Error ? error.message : String(error);
-}
-
-/** A fault of the engine leaves wasm memory in no known state: the world ends, and the page says so. */
-function guard(action: () => void): void {
-  try {
-    action();
-  } catch (error) {
-    simulator = null;
-    send({ type: 'failed', message: text(error) });
   }
 }
 

@@ -1,9 +1,10 @@
 // The 2003 tower with the hand led along, as simulator.ts is for the engine. It knows no clock and no messages.
 
+import { grasped, sameGrasp } from '../grasp';
 import { LATTICE_STRIDE } from '../lattice';
 import { Leash } from '../leash';
-import { FRAME, POSE_STRIDE, type Contact, type HandState, type Quat, type Vec, type Wish } from '../protocol';
-import { add, rotate, sub } from '../vectors';
+import { FRAME, POSE_STRIDE, type Contact, type HandState, type Vec, type Wish } from '../protocol';
+import { sub } from '../vectors';
 import { Space } from '../wasm/teeter_museum.js';
 import type { OldReport } from './protocol';
 
@@ -68,8 +69,7 @@ export class Old {
   /** What the player wants of the hand; null lets go. */
   want(wish: Wish | null): void {
     if (wish && wish.body >= this.space.length) return;
-    const same = wish && this.wish && wish.body === this.wish.body && wish.anchor.every((x, i) => x === this.wish!.anchor[i]);
-    if (!same) {
+    if (!sameGrasp(wish, this.wish)) {
       this.leash = null;
       this.held = 0;
     }
@@ -84,7 +84,7 @@ export class Old {
     const wish = this.wish;
     let told = '';
     if (wish) {
-      const { centre, point, orientation } = this.grasped(wish);
+      const { centre, point, orientation } = grasped(this.view(), wish);
       this.leash ??= new Leash(point, orientation);
       const lead = wish.grip === 'carry' ? wish.lead : wish.maxForce / this.space.handStiffness;
       this.leash.advance({ ...wish, lead }, point, false, FRAME);
@@ -97,7 +97,7 @@ export class Old {
       grip: wish.grip,
       force: report.hand?.force ?? [0, 0, 0],
       capped: false,
-      point: this.grasped(wish).point,
+      point: grasped(this.view(), wish).point,
       target: this.leash!.target(),
       contacts: this.contacts(wish.body),
     };
@@ -113,14 +113,6 @@ export class Old {
       hand,
       handDone,
     };
-  }
-
-  private grasped(wish: Wish): { centre: Vec; point: Vec; orientation: Quat } {
-    const at = wish.body * POSE_STRIDE;
-    const [x, y, z, ...turn] = this.view().subarray(at, at + POSE_STRIDE);
-    const orientation = turn as Quat;
-    const centre: Vec = [x, y, z];
-    return { centre, point: add(centre, rotate(orientation, wish.anchor)), orientation };
   }
 
   /** Memory may have grown since the last view, so each is made anew. */

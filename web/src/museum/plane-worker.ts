@@ -1,5 +1,6 @@
 // The worker of one prototype in the plane: steps it as fast as is wanted and the device can, and sends a picture a frame.
 
+import { guarded, text } from '../fault';
 import { Loop } from '../loop';
 import { Speedometer } from '../pacing';
 import { FRAME } from '../protocol';
@@ -19,6 +20,10 @@ let speed = 0;
 /** Simulated time that is due, s. */
 let due = 0;
 const meter = new Speedometer();
+const guard = guarded(message => {
+  plane = null;
+  send({ type: 'failed', message });
+});
 const loop = new Loop(seconds, () => plane !== null && speed > 0, advance, guard);
 
 function advance(): void {
@@ -88,20 +93,6 @@ function receive(message: ToPlane): void {
       }
       if (plane && speed === 0) show();
       break;
-  }
-}
-
-function text(error: unknown): string {
-  return error instanceof Error ? error.message : String(error);
-}
-
-/** A fault leaves wasm memory in no known state: the scene ends, and the page says so. */
-function guard(action: () => void): void {
-  try {
-    action();
-  } catch (error) {
-    plane = null;
-    send({ type: 'failed', message: text(error) });
   }
 }
 

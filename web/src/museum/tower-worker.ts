@@ -1,6 +1,7 @@
 // The museum's worker: owns the tower of 2003, the engine's, or both. Two towers take each step together and with the same wish, so the
 // engine waits for the other, which needs by far the longer; the simulated time of both falls behind the clock where it must.
 
+import { guarded, text } from '../fault';
 import { Loop } from '../loop';
 import { Speedometer } from '../pacing';
 import { FRAME, type Frame, type FromWorker, type Question, type ToWorker, type Wish } from '../protocol';
@@ -23,6 +24,10 @@ let world = 0;
 let paused = false;
 /** Of simulated time, and of what each tower costs. */
 const speed = { all: new Speedometer(), old: new Speedometer(), engine: new Speedometer() };
+const guard = guarded(message => {
+  engine = old = null;
+  send({ type: 'failed', message });
+});
 const loop = new Loop(
   seconds,
   () => (engine !== null || old !== null) && !paused,
@@ -55,21 +60,7 @@ function step(): void {
   const told = old && { poses: old.poses(), lattices: old.lattices() };
   let frame: MuseumFrame;
   if (of.engine) {
-    const { report, hand, handDone } = of.engine;
-    const own: Omit<Frame, keyof typeof shared> = {
-      time: report.time,
-      poses: engine!.poses(),
-      hand,
-      handDone,
-      awake: report.awake,
-      touching: report.touching,
-      penetration: report.penetration,
-      maxSpeed: report.max_speed,
-      quarantined: report.quarantined,
-      form: engine!.form,
-      lattices: null,
-    };
-    frame = { ...shared, ...own, ghost: told };
+    frame = { ...shared, ...engine!.told(of.engine), lattices: null, ghost: told };
   } else {
     const { time, touching, maxSpeed, report, hand, handDone } = of.old!;
     const own: Omit<Frame, keyof typeof shared> = {
@@ -150,20 +141,6 @@ function receive(message: ToWorker<Order>): void {
   else if (message.type === 'pause') {
     paused = message.paused;
     restart();
-  }
-}
-
-function text(error: unknown): string {
-  return error instanceof Error ? error.message : String(error);
-}
-
-/** A fault leaves wasm memory in no known state: the towers end, and the page says so. */
-function guard(action: () => void): void {
-  try {
-    action();
-  } catch (error) {
-    engine = old = null;
-    send({ type: 'failed', message: text(error) });
   }
 }
 
