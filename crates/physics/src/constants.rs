@@ -73,6 +73,11 @@ pub const REST_ACCELERATION: f64 = 0.01;
 
 /// Natural frequency of the hand, rad/s: for the nominal block 1 kN/m, so that a lead of 4 mm gives 4 N.
 pub const HAND_RATE: f64 = 225.0;
+/// The same of its hold on the orientation, rad/s: the weight of a block held by its end turns it by less than a milliradian. A softer hold lets a block that is
+/// half out tip, and its inner end presses on what lies above.
+pub const HAND_TURN_RATE: f64 = 900.0;
+/// Share of the weight that a hand takes off what bears the block that it draws out: a loose block drags its tower along by half as much.
+pub const HAND_LIFT: f64 = 0.5;
 /// Speed at which a body has run away, m/s.
 pub const RUNAWAY_SPEED: f64 = 100.0;
 

@@ -3,7 +3,7 @@
 use glam::{DMat3, DQuat, DVec3};
 
 use crate::body::{Bodies, Shapes, turn, turned};
-use crate::constants::HAND_RATE;
+use crate::constants::{HAND_LIFT, HAND_RATE, HAND_TURN_RATE};
 use crate::form::Push;
 use crate::input::{Grip, Hand};
 use crate::report::HandReport;
@@ -23,7 +23,9 @@ pub struct Pull {
     twist: Option<(DVec3, DVec3)>,
     mass: f64,
     inertia: DMat3,
-    gravity: DVec3,
+    /// What holds the body against gravity, N, and the share of it that the hand takes upon itself.
+    weight: DVec3,
+    carried: DVec3,
     max_force: f64,
     max_torque: f64,
     /// What it did in the last substep.
@@ -66,13 +68,19 @@ impl Pull {
         let i = hand.body as usize;
         let point = grasped(&hand.anchor, bodies, i);
         let twist = match (from.orientation, hand.orientation) {
-            (Some(from), Some(to)) => {
+            (Some(from), Some(to)) if hand.grip != Grip::Push => {
                 let whole = turn(from, to);
                 Some((turn(bodies.orientation[i], turned(from, whole * done)), whole / frame))
             }
             _ => None,
         };
         let way = hand.target - from.target;
+        let weight = -shapes.mass[i] * gravity;
+        let share = match hand.grip {
+            Grip::Slide if twist.is_some() => HAND_LIFT,
+            Grip::Carry => 1.0,
+            Grip::Slide | Grip::Push => 0.0,
+        };
         Self {
             row: i,
             grip: hand.grip,
@@ -83,7 +91,8 @@ impl Pull {
             twist,
             mass: shapes.mass[i],
             inertia: bodies.inertia(shapes, i),
-            gravity,
+            weight,
+            carried: share * weight,
             max_force: hand.max_force,
             max_torque: hand.max_torque,
             report: HandReport { point, ..HandReport::default() },
@@ -107,10 +116,9 @@ impl Pull {
         if let Some((twist, rate)) = &mut self.twist {
             let slip = *rate - w;
             *twist += slip * h;
-            hold = self.inertia * (HAND_RATE * HAND_RATE * *twist + 2.0 * HAND_RATE * slip);
-            if self.grip == Grip::Push {
-                hold = DVec3::ZERO;
-            }
+            let spring = self.inertia * (HAND_TURN_RATE * HAND_TURN_RATE * *twist + 2.0 * HAND_TURN_RATE * slip);
+            // what is carried by one end must not tip for it
+            hold = spring - self.arm.cross(self.carried);
             if hold.length() > self.max_torque {
                 hold *= self.max_torque / hold.length();
                 torque_capped = true;
@@ -122,22 +130,21 @@ impl Pull {
 
     /// The force that the grip allows of what the spring wants, and whether that is less.
     fn limited(&self, spring: DVec3) -> (DVec3, bool) {
-        let weight = self.mass * self.gravity.length();
-        let up = if weight > 0.0 { -self.gravity / self.gravity.length() } else { DVec3::ZERO };
         match self.grip {
             Grip::Slide => {
+                let (weight, up) = (self.weight.length(), self.weight.normalize_or_zero());
                 let lift = spring.dot(up);
                 let level = spring - up * lift;
                 let size = level.length();
                 let capped = size > self.max_force;
                 let level = if capped { level * (self.max_force / size) } else { level };
-                (level + up * lift.clamp(-weight, weight), capped)
+                (level + up * (lift + self.carried.dot(up)).clamp(-weight, weight), capped)
             }
             Grip::Carry => {
                 let size = spring.length();
                 let capped = size > self.max_force;
                 let spring = if capped { spring * (self.max_force / size) } else { spring };
-                (spring + up * weight, capped)
+                (spring + self.carried, capped)
             }
             Grip::Push => {
                 let size = spring.dot(self.axis);

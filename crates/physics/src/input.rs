@@ -21,7 +21,8 @@ pub struct Input {
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "lowercase")]
 pub enum Grip {
-    /// Fingers on a block in the tower: they steer it sideways and keep it level; upwards they give no more than the block's own weight, so they cannot lift the tower.
+    /// Fingers on a block in the tower: they steer it sideways, keep its orientation and take half of its weight off what bears it, where they hold an orientation;
+    /// upwards they give no more than the block's own weight, so they cannot lift the tower.
     Slide,
     /// A block in the air: moved in all directions, its weight carried.
     Carry,
