@@ -215,7 +215,11 @@ impl Bodies {
 
 /// R diag(d) Rᵀ.
 pub fn world_tensor(q: DQuat, d: DVec3) -> DMat3 {
-    let r = DMat3::from_quat(q);
+    tensor(DMat3::from_quat(q), d)
+}
+
+/// The same of the matrix R.
+pub fn tensor(r: DMat3, d: DVec3) -> DMat3 {
     DMat3::from_cols(r.x_axis * d.x, r.y_axis * d.y, r.z_axis * d.z) * r.transpose()
 }
 

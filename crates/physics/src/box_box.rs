@@ -8,11 +8,12 @@ mod tests;
 use glam::{DMat3, DVec3};
 
 use crate::body::FLOOR;
-use crate::constants::{
-    AREA_RANGE, AXIS_HYSTERESIS, CORNER_MERGE, EDGE_AREA, EDGE_PREFERENCE, LEAST_EDGE_SINE, LEAST_EDGE_TILT, REFERENCE_AREA,
-};
-use crate::manifold::{Axis, Manifold, Point};
-use crate::polygon::{Corner, LINE_LEVER, clip, merge, patch};
+use crate::constants::{AXIS_HYSTERESIS, CORNER_MERGE, EDGE_AREA, EDGE_PREFERENCE, LEAST_EDGE_SINE, LEAST_EDGE_TILT, REFERENCE_AREA};
+use crate::manifold::{Axis, MAX_POINTS, Manifold, Point};
+use crate::polygon::{Corner, LINE_LEVER, Patch, clip, merge, patch};
+
+/// What an edge crossing an edge counts as.
+const EDGE: Patch = Patch { area: EDGE_AREA * REFERENCE_AREA, centroid: [0.0; 2], shares: [1.0; MAX_POINTS], lever: LINE_LEVER };
 
 /// A box in the world.
 #[derive(Debug, Clone, Copy)]
@@ -84,7 +85,12 @@ pub fn separation(low: &Cuboid, high: &Cuboid, limit: f64, last: Option<Axis>) -
             let along = in_low[i2] * m.col(j)[i1] - in_low[i1] * m.col(j)[i2];
             let reach_low = low.half[i1] * abs.col(j)[i2] + low.half[i2] * abs.col(j)[i1];
             let reach_high = high.half[j1] * abs.col(j2)[i] + high.half[j2] * abs.col(j1)[i];
-            let distance = (along.abs() - reach_low - reach_high) / square.sqrt();
+            let over = along.abs() - reach_low - reach_high;
+            // where boxes overlap the division makes it less, never more: what is behind the best already stays so
+            if over < 0.0 && over - EDGE_PREFERENCE + AXIS_HYSTERESIS <= faces.0.max(edges.0) {
+                continue;
+            }
+            let distance = over / square.sqrt();
             if distance > limit {
                 return None;
             }
@@ -110,27 +116,30 @@ pub fn separation(low: &Cuboid, high: &Cuboid, limit: f64, last: Option<Axis>) -
 }
 
 /// How two boxes are to each other.
-#[derive(Debug, Clone)]
-#[expect(clippy::large_enum_variant, reason = "it is taken apart where it is made, and a box would be an allocation a pair")]
+#[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Meeting {
     /// Out of reach.
     Apart,
     /// At least so far apart (m), and no part of one before a face of the other: they may yet meet with their edges.
     Near(f64),
-    /// In reach.
-    Touching(Manifold),
+    /// In reach: they have a manifold.
+    Touching,
 }
 
 /// How two boxes are to each other, `low` having the lower index; they are apart where some axis separates them by more than
-/// `limit` (m).
-pub fn box_box(low: &Cuboid, high: &Cuboid, limit: f64, last: Option<Axis>) -> Meeting {
+/// `limit` (m). Where they touch, `to` becomes their manifold: it is a kilobyte, which is made where it is wanted.
+pub fn box_box(low: &Cuboid, high: &Cuboid, limit: f64, last: Option<Axis>, to: &mut Manifold) -> Meeting {
     let Some(found) = separation(low, high, limit, last) else { return Meeting::Apart };
-    let manifold = match found.axis {
-        Axis::FaceLow(i) => face_manifold(low, high, i as usize, found.normal, found.axis),
-        Axis::FaceHigh(j) => face_manifold(high, low, j as usize, -found.normal, found.axis),
-        Axis::Edges(pair) => Some(edge_manifold(low, high, pair as usize, found.normal)),
+    to.axis = found.axis;
+    let touching = match found.axis {
+        Axis::FaceLow(i) => face_manifold(low, high, i as usize, found.normal, to),
+        Axis::FaceHigh(j) => face_manifold(high, low, j as usize, -found.normal, to),
+        Axis::Edges(pair) => {
+            edge_manifold(low, high, pair as usize, found.normal, to);
+            true
+        }
     };
-    manifold.map_or(Meeting::Near(found.distance), Meeting::Touching)
+    if touching { Meeting::Touching } else { Meeting::Near(found.distance) }
 }
 
 /// Right-handed frame in A's coordinates from a normal in the world and an axis of A that is not parallel to it.
@@ -142,8 +151,8 @@ fn frame(a: &Cuboid, normal: DVec3, along: usize) -> [DVec3; 3] {
     [n, t1, n.cross(t1)]
 }
 
-/// Clips the face of `b` that looks most against `normal` (out of face `axis` of `a`) by that face.
-fn face_manifold(a: &Cuboid, b: &Cuboid, axis: usize, normal: DVec3, kind: Axis) -> Option<Manifold> {
+/// Clips the face of `b` that looks most against `normal` (out of face `axis` of `a`) by that face; false where nothing of it is left.
+fn face_manifold(a: &Cuboid, b: &Cuboid, axis: usize, normal: DVec3, to: &mut Manifold) -> bool {
     let (iu, iv) = ((axis + 1) % 3, (axis + 2) % 3);
     let (u, v) = (a.axes.col(iu), a.axes.col(iv));
     let plane = a.center + normal * a.half[axis];
@@ -170,7 +179,7 @@ fn face_manifold(a: &Cuboid, b: &Cuboid, axis: usize, normal: DVec3, kind: Axis)
     let mut polygon = clip(&corners, a.half[iu], a.half[iv]);
     merge(&mut polygon, CORNER_MERGE);
     if polygon.is_empty() {
-        return None;
+        return false;
     }
     let patch = patch(&polygon);
     let local = |u: f64, v: f64| {
@@ -182,38 +191,26 @@ fn face_manifold(a: &Cuboid, b: &Cuboid, axis: usize, normal: DVec3, kind: Axis)
     };
     let frame = frame(a, normal, iu);
     let centroid = local(patch.centroid[0], patch.centroid[1]);
-    let points = polygon
-        .iter()
-        .zip(patch.shares)
-        .map(|(c, weight)| {
-            let anchor_a = local(c.u, c.v);
-            let on_b = plane + u * c.u + v * c.v + normal * c.gap;
-            let arm = anchor_a - centroid;
-            Point {
-                anchor_a,
-                anchor_b: b.axes.transpose() * (on_b - b.center),
-                arm: [arm.dot(frame[1]), arm.dot(frame[2])],
-                weight,
-                gap: c.gap,
-                ..Point::default()
-            }
-        })
-        .collect();
-    Some(Manifold {
-        a: a.body,
-        b: b.body,
-        axis: kind,
-        frame,
-        centroid,
-        area: (patch.area / REFERENCE_AREA).clamp(AREA_RANGE.0, AREA_RANGE.1),
-        lever: patch.lever,
-        mobility: 0.0,
-        points,
-    })
+    let inverse = b.axes.transpose();
+    let points = polygon.iter().zip(patch.shares).map(|(c, weight)| {
+        let anchor_a = local(c.u, c.v);
+        let on_b = plane + u * c.u + v * c.v + normal * c.gap;
+        let arm = anchor_a - centroid;
+        Point {
+            anchor_a,
+            anchor_b: inverse * (on_b - b.center),
+            arm: [arm.dot(frame[1]), arm.dot(frame[2])],
+            weight,
+            gap: c.gap,
+            ..Point::default()
+        }
+    });
+    to.set([a.body, b.body], frame, centroid, &patch, points);
+    true
 }
 
 /// The one point between two crossing edges.
-fn edge_manifold(a: &Cuboid, b: &Cuboid, pair: usize, normal: DVec3) -> Manifold {
+fn edge_manifold(a: &Cuboid, b: &Cuboid, pair: usize, normal: DVec3, to: &mut Manifold) {
     let (i, j) = (pair / 3, pair % 3);
     // middle of the edge of a box that lies farthest along a direction
     let edge = |c: &Cuboid, along: usize, direction: DVec3| {
@@ -236,32 +233,16 @@ fn edge_manifold(a: &Cuboid, b: &Cuboid, pair: usize, normal: DVec3) -> Manifold
     let t = ((cosine * w.dot(d) - w.dot(e)) * inv).clamp(-b.half[j], b.half[j]);
     let (on_a, on_b) = (p + d * s, q + e * t);
     let anchor_a = a.axes.transpose() * (on_a - a.center);
-    Manifold {
-        a: a.body,
-        b: b.body,
-        axis: Axis::Edges(pair as u8),
-        frame: frame(a, normal, i),
-        centroid: anchor_a,
-        area: EDGE_AREA,
-        lever: LINE_LEVER,
-        mobility: 0.0,
-        points: [Point {
-            anchor_a,
-            anchor_b: b.axes.transpose() * (on_b - b.center),
-            weight: 1.0,
-            gap: normal.dot(on_b - on_a),
-            ..Point::default()
-        }]
-        .into_iter()
-        .collect(),
-    }
+    let point =
+        Point { anchor_a, anchor_b: b.axes.transpose() * (on_b - b.center), weight: 1.0, gap: normal.dot(on_b - on_a), ..Point::default() };
+    to.set([a.body, b.body], frame(a, normal, i), anchor_a, &EDGE, [point]);
 }
 
-/// The manifold of a box above the floor z = 0: the corners of its lowest face; none where it is higher than `limit` (m).
-pub fn box_floor(b: &Cuboid, limit: f64, last: Option<Axis>) -> Option<Manifold> {
+/// How a box is to the floor z = 0, which it touches with the corners of its lowest face; it is apart where it is higher than `limit` (m).
+pub fn box_floor(b: &Cuboid, limit: f64, last: Option<Axis>, to: &mut Manifold) -> Meeting {
     let up = b.axes.transpose() * DVec3::Z;
     if b.center.z - up.abs().dot(b.half) > limit {
-        return None;
+        return Meeting::Apart;
     }
     let mut k = 0;
     let mut best = f64::NEG_INFINITY;
@@ -284,27 +265,16 @@ pub fn box_floor(b: &Cuboid, limit: f64, last: Option<Axis>) -> Option<Manifold>
         DVec3::new(x.x, x.y, 0.0)
     };
     let centroid = ground(center);
-    let points = sides
-        .iter()
-        .map(|(x, y)| {
-            let mut anchor_b = center;
-            anchor_b[ip] = x * b.half[ip];
-            anchor_b[iq] = y * b.half[iq];
-            let x = b.center + b.axes * anchor_b;
-            let anchor_a = DVec3::new(x.x, x.y, 0.0);
-            let arm = anchor_a - centroid;
-            Point { anchor_a, anchor_b, arm: [arm.x, arm.y], weight: 0.25, gap: x.z, ..Point::default() }
-        })
-        .collect();
-    Some(Manifold {
-        a: FLOOR,
-        b: b.body,
-        axis: Axis::FaceHigh(k as u8),
-        frame: [DVec3::Z, DVec3::X, DVec3::Y],
-        centroid,
-        area: (patch.area / REFERENCE_AREA).clamp(AREA_RANGE.0, AREA_RANGE.1),
-        lever: patch.lever,
-        mobility: 0.0,
-        points,
-    })
+    let points = sides.iter().map(|(x, y)| {
+        let mut anchor_b = center;
+        anchor_b[ip] = x * b.half[ip];
+        anchor_b[iq] = y * b.half[iq];
+        let x = b.center + b.axes * anchor_b;
+        let anchor_a = DVec3::new(x.x, x.y, 0.0);
+        let arm = anchor_a - centroid;
+        Point { anchor_a, anchor_b, arm: [arm.x, arm.y], weight: 0.25, gap: x.z, ..Point::default() }
+    });
+    to.axis = Axis::FaceHigh(k as u8);
+    to.set([FLOOR, b.body], [DVec3::Z, DVec3::X, DVec3::Y], centroid, &patch, points);
+    Meeting::Touching
 }

@@ -1,13 +1,17 @@
 //! The manifolds of a cluster, in the order of their keys, and their detection.
 
+use glam::DVec3;
 use serde::{Deserialize, Serialize};
 
-use crate::body::{Bodies, FLOOR, Shapes, world_tensor};
+use crate::body::{Bodies, FLOOR, Shapes, tensor};
 use crate::box_box::{Cuboid, Meeting, box_box, box_floor};
 use crate::broad_phase::{Bound, Near, overlapping};
 use crate::constants::{LEAST_NEAR, MARGIN_RANGE, MARGIN_SHARE, MARGIN_TIME};
 use crate::lattice::STRAIN_INERTIA;
 use crate::manifold::{Manifold, key};
+
+/// Up to so many new manifolds are put in their places one by one; more are sorted in.
+const FEW: usize = 8;
 
 /// The manifolds of a cluster, sorted by [`Manifold::key`], and the bounds by which they are found.
 #[derive(Debug, Clone, Default, Serialize, Deserialize)]
@@ -31,6 +35,12 @@ impl Contacts {
     /// Takes who is near whom from who has found it.
     pub fn set_near(&mut self, pairs: &[(u32, u32)]) {
         self.near = Near::new(self.swept.len(), pairs);
+    }
+
+    /// The manifold of a pair, which may well be where it was.
+    pub fn find_at(&self, was: usize, (low, high): (u32, u32)) -> Option<usize> {
+        let is = self.manifolds.get(was).is_some_and(|m| m.key() == key(low, high));
+        if is { Some(was) } else { self.find((low, high)) }
     }
 
     /// The manifold of a pair.
@@ -75,32 +85,32 @@ impl Contacts {
     pub fn detect(&mut self, shapes: &Shapes, bodies: &mut Bodies, due: &[u32], pairs: &[(u32, u32)]) {
         let mut found: Vec<Manifold> = Vec::new();
         let mut seen = vec![false; self.manifolds.len()];
+        let mut next = Manifold::new();
         for &(low, high) in pairs {
             let place = self.find((low, high));
             let last = place.map(|i| &self.manifolds[i]);
-            let manifold = match look(shapes, bodies, low, high, last) {
-                Meeting::Touching(manifold) => manifold,
-                Meeting::Apart => continue,
-                Meeting::Near(distance) => {
-                    shorten(shapes, bodies, [low, high], distance);
-                    continue;
-                }
-            };
-            match place {
-                Some(i) => {
+            match (look(shapes, bodies, low, high, last, &mut next), place) {
+                (Meeting::Apart, _) => {}
+                (Meeting::Near(distance), _) => shorten(shapes, bodies, [low, high], distance),
+                (Meeting::Touching, Some(i)) => {
                     seen[i] = true;
-                    self.manifolds[i] = manifold;
+                    self.manifolds[i].copy(&next);
                 }
-                None => found.push(manifold),
+                (Meeting::Touching, None) => found.push(next.clone()),
             }
         }
         // what was not seen again is no more
         let is_due = |i: u32| i != FLOOR && due.binary_search(&i).is_ok();
         let mut seen = seen.into_iter();
         self.manifolds.retain(|m| seen.next().unwrap_or(true) || !(is_due(m.a) || is_due(m.b)));
-        if !found.is_empty() {
-            self.manifolds.extend(found);
+        if found.len() > FEW {
+            self.manifolds.append(&mut found);
             self.manifolds.sort_by_key(Manifold::key);
+        }
+        for manifold in found {
+            let key = manifold.key();
+            let place = self.manifolds.partition_point(|m| m.key() < key);
+            self.manifolds.insert(place, manifold);
         }
     }
 
@@ -133,31 +143,34 @@ pub fn due(shapes: &Shapes, bodies: &Bodies, i: usize) -> bool {
     !bodies.asleep[i] && bodies.travel(shapes, i, bodies.detected[i]) > MARGIN_SHARE * bodies.margin[i]
 }
 
-/// The box of a body.
+/// The box of a body; that of the floor has no size.
 pub fn cuboid(shapes: &Shapes, bodies: &Bodies, i: u32) -> Cuboid {
     let (center, axes) = bodies.pose(i);
-    Cuboid { body: i, center, axes, half: bodies.half(shapes, i as usize) }
+    let half = if i == FLOOR { DVec3::ZERO } else { bodies.half(shapes, i as usize) };
+    Cuboid { body: i, center, axes, half }
 }
 
-/// How a pair is to each other; a manifold has the history of the last one.
-fn look(shapes: &Shapes, bodies: &Bodies, low: u32, high: u32, last: Option<&Manifold>) -> Meeting {
+/// How a pair is to each other; `to` becomes its manifold, with the history of the last one.
+fn look(shapes: &Shapes, bodies: &Bodies, low: u32, high: u32, last: Option<&Manifold>, to: &mut Manifold) -> Meeting {
     let axis = last.map(|m| m.axis);
-    let high_box = cuboid(shapes, bodies, high);
+    let (low_box, high_box) = (cuboid(shapes, bodies, low), cuboid(shapes, bodies, high));
     let meeting = if low == FLOOR {
-        box_floor(&high_box, bodies.margin[high as usize], axis).map_or(Meeting::Apart, Meeting::Touching)
+        box_floor(&high_box, bodies.margin[high as usize], axis, to)
     } else {
         let limit = bodies.margin[low as usize] + bodies.margin[high as usize];
-        box_box(&cuboid(shapes, bodies, low), &high_box, limit, axis)
+        box_box(&low_box, &high_box, limit, axis, to)
     };
-    let Meeting::Touching(mut manifold) = meeting else { return meeting };
-    unstrain(&mut manifold, shapes, bodies);
-    if let Some(last) = last {
-        let (_, r) = bodies.pose(manifold.a);
-        let (_, last_r) = bodies.pose(last.a);
-        manifold.inherit(last, |d| r * d, |d| last_r * d);
+    if meeting != Meeting::Touching {
+        return meeting;
     }
-    manifold.mobility = mobility(&manifold, shapes, bodies);
-    Meeting::Touching(manifold)
+    unstrain(to, shapes, bodies);
+    let of = |i: u32| if i == low { &low_box } else { &high_box };
+    if let Some(last) = last {
+        let (r, last_r) = (of(to.a).axes, of(last.a).axes);
+        to.inherit(last, |d| r * d, |d| last_r * d);
+    }
+    to.mobility = mobility(to, shapes, of(to.a), of(to.b));
+    meeting
 }
 
 /// Makes the anchors of a new manifold places in blocks that are not strained.
@@ -181,17 +194,17 @@ fn shorten(shapes: &Shapes, bodies: &mut Bodies, pair: [u32; 2], distance: f64) 
 }
 
 /// How easily the two bodies of a manifold give way at its patch, 1/kg; the floor does not.
-fn mobility(manifold: &Manifold, shapes: &Shapes, bodies: &Bodies) -> f64 {
-    let (center, axes) = bodies.pose(manifold.a);
-    let centroid = center + axes * manifold.centroid;
-    let of = |i: u32| {
-        let i = i as usize;
-        let arm = centroid - bodies.position[i];
-        let rigid = manifold.mobility_of(shapes.mass[i], bodies.inv_inertia(shapes, i), arm, |d| axes * d);
+fn mobility(manifold: &Manifold, shapes: &Shapes, a: &Cuboid, b: &Cuboid) -> f64 {
+    let centroid = a.center + a.axes * manifold.centroid;
+    let of = |c: &Cuboid| {
+        let i = c.body as usize;
+        let arm = centroid - c.center;
+        let inertia = tensor(c.axes, shapes.inertia[i].recip());
+        let rigid = manifold.mobility_of(shapes.mass[i], inertia, arm, |d| a.axes * d);
         let Some(&half) = shapes.particles.get(i) else { return rigid };
-        let levers = world_tensor(bodies.orientation[i], (half * half).recip());
-        let affine = manifold.affine_mobility_of(shapes.mass[i], levers, arm, |d| axes * d);
+        let levers = tensor(c.axes, (half * half).recip());
+        let affine = manifold.affine_mobility_of(shapes.mass[i], levers, arm, |d| a.axes * d);
         rigid + (affine - rigid) / STRAIN_INERTIA
     };
-    of(manifold.b) + if manifold.a == FLOOR { 0.0 } else { of(manifold.a) }
+    of(b) + if manifold.a == FLOOR { 0.0 } else { of(a) }
 }

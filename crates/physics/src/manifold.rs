@@ -5,7 +5,9 @@ use arrayvec::ArrayVec;
 use glam::{DMat3, DVec3};
 use serde::{Deserialize, Serialize};
 
-use crate::body::Bodies;
+use crate::body::{Bodies, FLOOR};
+use crate::constants::{AREA_RANGE, REFERENCE_AREA};
+use crate::polygon::Patch;
 
 /// Which axis separates best.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
@@ -75,6 +77,40 @@ impl Point {
 }
 
 impl Manifold {
+    /// One of nothing, to be [`set`](Self::set).
+    pub fn new() -> Self {
+        Self {
+            a: FLOOR,
+            b: FLOOR,
+            axis: Axis::FaceLow(0),
+            frame: [DVec3::ZERO; 3],
+            centroid: DVec3::ZERO,
+            area: 0.0,
+            lever: 0.0,
+            mobility: 0.0,
+            points: ArrayVec::new(),
+        }
+    }
+
+    /// Makes it the manifold of two bodies on the axis that it has: of the frame and the centroid in the frame of the first, and of a patch with
+    /// these points. What follows from the bodies' masses stays to be found.
+    pub fn set(&mut self, [a, b]: [u32; 2], frame: [DVec3; 3], centroid: DVec3, patch: &Patch, points: impl IntoIterator<Item = Point>) {
+        (self.a, self.b, self.frame, self.centroid) = (a, b, frame, centroid);
+        self.area = (patch.area / REFERENCE_AREA).clamp(AREA_RANGE.0, AREA_RANGE.1);
+        (self.lever, self.mobility) = (patch.lever, 0.0);
+        self.points.clear();
+        self.points.extend(points);
+    }
+
+    /// Becomes the same as another. The points that it does not have are not moved, which a plain copy does.
+    pub fn copy(&mut self, from: &Self) {
+        let Self { a, b, axis, frame, centroid, area, lever, mobility, ref points } = *from;
+        (self.a, self.b, self.axis, self.frame, self.centroid) = (a, b, axis, frame, centroid);
+        (self.area, self.lever, self.mobility) = (area, lever, mobility);
+        self.points.clear();
+        self.points.extend(points.iter().copied());
+    }
+
     /// Lower index first, the floor lowest: the order in which manifolds are kept.
     pub fn key(&self) -> (u32, u32) {
         key(self.a, self.b)

@@ -27,6 +27,8 @@ const SPREAD: usize = 7;
 struct Entry {
     a: u32,
     b: u32,
+    /// Where their manifold was when it was packed.
+    at: usize,
     points: ArrayVec<u8, SLOTS>,
 }
 
@@ -80,7 +82,7 @@ impl Packing {
                 continue;
             }
             let (group, l) = (&mut kernel.groups[at / LANES], at % LANES);
-            if let Some(place) = contacts.find((entry.a, entry.b)) {
+            if let Some(place) = contacts.find_at(entry.at, (entry.a, entry.b)) {
                 let points = &mut contacts.manifolds[place].points;
                 for (from, &p) in group.points.iter().zip(&entry.points) {
                     let to = &mut points[p as usize];
@@ -89,14 +91,17 @@ impl Packing {
                     to.force = from.normal.0[l].to_f64();
                 }
             }
-            for i in [entry.a, entry.b].into_iter().filter(|&i| i != FLOOR) {
-                self.entries[i as usize] -= 1;
+            if !moved.all {
+                for i in [entry.a, entry.b].into_iter().filter(|&i| i != FLOOR) {
+                    self.entries[i as usize] -= 1;
+                }
+                *lane = None;
+                group.open(l, floor);
             }
-            *lane = None;
-            group.open(l, floor);
         }
         if moved.all {
             self.lanes.clear();
+            self.entries.fill(0);
             kernel.groups.clear();
         }
     }
@@ -113,31 +118,32 @@ impl Packing {
     ) {
         let still = |i: u32| i == FLOOR || !bodies.moves(i as usize);
         let reach = |i: u32| if i == FLOOR { 0.0 } else { self.reach[i as usize] };
-        let mut chosen: Vec<(usize, Entry)> = Vec::new();
-        for (index, manifold) in contacts.manifolds.iter_mut().enumerate() {
+        let mut chosen: Vec<Entry> = Vec::new();
+        for (at, manifold) in contacts.manifolds.iter_mut().enumerate() {
             let (a, b) = (manifold.a, manifold.b);
             if !moved.touches(a, b) || (still(a) && still(b)) {
                 continue;
             }
             let limit = reach(a) + reach(b);
-            let mut entry = Entry { a, b, points: ArrayVec::new() };
+            let empty = Entry { a, b, at, points: ArrayVec::new() };
+            let mut entry = empty.clone();
             for (p, point) in manifold.points.iter_mut().enumerate() {
                 if point.gap > limit {
                     point.forget();
                     continue;
                 }
                 if entry.points.is_full() {
-                    chosen.push((index, std::mem::replace(&mut entry, Entry { a, b, points: ArrayVec::new() })));
+                    chosen.push(std::mem::replace(&mut entry, empty.clone()));
                 }
                 entry.points.push(p as u8);
             }
             if !entry.points.is_empty() {
-                chosen.push((index, entry));
+                chosen.push(entry);
             }
         }
-        chosen.sort_by_key(|(index, e)| (std::cmp::Reverse(e.points.len()), index % SPREAD));
+        chosen.sort_by_key(|e| (std::cmp::Reverse(e.points.len()), e.at % SPREAD));
         let mut place = 0;
-        for (index, entry) in chosen {
+        for entry in chosen {
             while self.lanes.get(place).is_some_and(Option::is_some) {
                 place += 1;
             }
@@ -145,7 +151,7 @@ impl Packing {
                 self.lanes.resize_with(place + LANES, || None);
                 kernel.groups.push(Group::new(kernel.floor()));
             }
-            let manifold = &contacts.manifolds[index];
+            let manifold = &contacts.manifolds[entry.at];
             let (rows_a, rows_b) = (if manifold.a == FLOOR { kernel.floor() } else { kernel.place(manifold.a) }, kernel.place(manifold.b));
             let (group, l) = (&mut kernel.groups[place / LANES], place % LANES);
             (group.a[l], group.b[l]) = (rows_a, rows_b);

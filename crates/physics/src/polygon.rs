@@ -21,9 +21,9 @@ pub fn clip(corners: &[Corner; 4], hu: f64, hv: f64) -> Polygon {
     for side in [(1.0, 0.0, hu), (-1.0, 0.0, hu), (0.0, 1.0, hv), (0.0, -1.0, hv)] {
         let inside = |c: &Corner| side.2 - (side.0 * c.u + side.1 * c.v);
         let mut next = Polygon::new();
-        for (i, to) in polygon.iter().enumerate() {
-            let from = &polygon[(i + polygon.len() - 1) % polygon.len()];
-            let (d0, d1) = (inside(from), inside(to));
+        let mut from = polygon[polygon.len() - 1];
+        for to in &polygon {
+            let (d0, d1) = (inside(&from), inside(to));
             if (d0 >= 0.0) != (d1 >= 0.0) {
                 let t = d0 / (d0 - d1);
                 next.push(Corner {
@@ -35,6 +35,7 @@ pub fn clip(corners: &[Corner; 4], hu: f64, hv: f64) -> Polygon {
             if d1 >= 0.0 {
                 next.push(*to);
             }
+            from = *to;
         }
         polygon = next;
         if polygon.is_empty() {
@@ -78,13 +79,14 @@ pub const LINE_LEVER: f64 = 0.5;
 /// The patch of a convex polygon. One without area is shared evenly.
 pub fn patch(polygon: &[Corner]) -> Patch {
     let n = polygon.len();
+    let next = |i: usize| if i + 1 == n { 0 } else { i + 1 };
     let inv = 1.0 / n as f64;
     let mean = [polygon.iter().map(|c| c.u).sum::<f64>() * inv, polygon.iter().map(|c| c.v).sum::<f64>() * inv];
     // twice the triangle (o, p, q)
     let cross = |o: [f64; 2], p: &Corner, q: &Corner| (p.u - o[0]) * (q.v - o[1]) - (p.v - o[1]) * (q.u - o[0]);
     let (mut twice, mut moment) = (0.0, [0.0; 2]);
     for i in 0..n {
-        let (p, q) = (&polygon[i], &polygon[(i + 1) % n]);
+        let (p, q) = (&polygon[i], &polygon[next(i)]);
         let c = cross(mean, p, q);
         twice += c;
         moment[0] += c * (p.u + q.u + mean[0]) / 3.0;
@@ -96,16 +98,23 @@ pub fn patch(polygon: &[Corner]) -> Patch {
         return Patch { area: 0.0, centroid: mean, shares: [inv; MAX_POINTS], lever: LINE_LEVER };
     }
     let centroid = [moment[0] / twice, moment[1] / twice];
-    let distance = |c: &Corner| ((c.u - centroid[0]) * (c.u - centroid[0]) + (c.v - centroid[1]) * (c.v - centroid[1])).sqrt();
+    // of each corner its distance, and the triangle from it to the next
+    let mut corners = [(0.0, 0.0); MAX_POINTS];
+    for (i, c) in polygon.iter().enumerate() {
+        let distance = ((c.u - centroid[0]) * (c.u - centroid[0]) + (c.v - centroid[1]) * (c.v - centroid[1])).sqrt();
+        corners[i] = (distance, cross(centroid, c, &polygon[next(i)]));
+    }
     let mut shares = [0.0; MAX_POINTS];
     let (mut spread, mut at_corners) = (0.0, 0.0);
+    let mut before = corners[n - 1].1;
     for (i, share) in shares.iter_mut().enumerate().take(n) {
-        let (before, here, after) = (&polygon[(i + n - 1) % n], &polygon[i], &polygon[(i + 1) % n]);
-        let triangle = cross(centroid, here, after);
-        *share = 0.5 * (cross(centroid, before, here) + triangle) / twice;
+        let (here, after) = (&polygon[i], &polygon[next(i)]);
+        let (distance, triangle) = corners[i];
+        *share = 0.5 * (before + triangle) / twice;
         let length = ((after.u - here.u) * (after.u - here.u) + (after.v - here.v) * (after.v - here.v)).sqrt();
-        spread += moment_of_distance(triangle.abs(), length, distance(here), distance(after));
-        at_corners += *share * distance(here);
+        spread += moment_of_distance(triangle.abs(), length, distance, corners[next(i)].0);
+        at_corners += *share * distance;
+        before = triangle;
     }
     let area = 0.5 * twice.abs();
     Patch { area, centroid, shares, lever: spread / area / at_corners }

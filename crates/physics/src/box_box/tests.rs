@@ -5,6 +5,7 @@ use glam::{DMat3, DQuat, DVec2, DVec3};
 use proptest::prelude::*;
 
 use super::*;
+use crate::constants::AREA_RANGE;
 
 fn cuboid(body: u32, size: [f64; 3], q: [f64; 4], center: [f64; 3]) -> Cuboid {
     Cuboid { body, center: center.into(), axes: DMat3::from_quat(DQuat::from_array(q).normalize()), half: DVec3::from(size) / 2.0 }
@@ -27,7 +28,8 @@ fn pairs() -> impl Strategy<Value = (Cuboid, Cuboid)> {
 }
 
 fn manifold(a: &Cuboid, b: &Cuboid, limit: f64, last: Option<Axis>) -> Option<Manifold> {
-    if let Meeting::Touching(m) = box_box(a, b, limit, last) { Some(m) } else { None }
+    let mut found = Manifold::new();
+    (box_box(a, b, limit, last, &mut found) == Meeting::Touching).then_some(found)
 }
 
 fn vertices(c: &Cuboid) -> [DVec3; 8] {
@@ -205,12 +207,16 @@ fn the_axis_of_the_last_detection_is_kept_while_it_is_nearly_the_best() {
 #[test]
 fn a_box_meets_the_floor_with_its_lowest_face() {
     let flat = cuboid(0, [0.081, 0.0268, 0.018], [0.0, 0.0, 0.3, 1.0], [0.3, 0.2, 0.009]);
-    let m = box_floor(&flat, 1e-4, None).unwrap();
+    let on_floor = |c: &Cuboid, limit| {
+        let mut found = Manifold::new();
+        (box_floor(c, limit, None, &mut found) == Meeting::Touching).then_some(found)
+    };
+    let m = on_floor(&flat, 1e-4).unwrap();
     assert_eq!((m.points.len(), m.a), (4, FLOOR));
     assert!(m.points.iter().all(|p| p.gap.abs() < 1e-12 && p.anchor_a.z == 0.0));
-    assert!(box_floor(&Cuboid { center: DVec3::new(0.0, 0.0, 0.01), ..flat }, 1e-4, None).is_none());
+    assert!(on_floor(&Cuboid { center: DVec3::new(0.0, 0.0, 0.01), ..flat }, 1e-4).is_none());
     // on an edge two corners are down and two are up
     let tipped = cuboid(0, [0.02; 3], [0.3, 0.0, 0.0, 1.0], [0.0, 0.0, 0.0136]);
-    let m = box_floor(&tipped, 1e-2, None).unwrap();
+    let m = on_floor(&tipped, 1e-2).unwrap();
     assert_eq!(m.points.iter().filter(|p| p.gap < 1e-3).count(), 2);
 }
