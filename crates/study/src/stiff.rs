@@ -21,7 +21,8 @@ pub const RIGID: f64 = 1e9;
 const STEPS: usize = 200;
 /// Share of the largest stiffness that holds what no spring does, so that each step has an answer.
 const HELD: f64 = 1e-6;
-
+/// Share of the slope at the start of a step at which the search along it ends.
+const STEEP: f64 = 0.1;
 /// What is left of the largest weight where forces balance: well above what rounding leaves at the stiffest.
 const BALANCED: f64 = 1e-7;
 
@@ -55,9 +56,11 @@ impl Spring {
     }
 }
 
-fn energy(springs: &[Spring], weights: &[f64], k: f64, u: &[f64]) -> f64 {
-    let falls: f64 = weights.iter().zip(u).map(|(w, u)| w * u).sum();
-    falls + springs.iter().map(|s| 0.5 * k * s.share * s.overlap(u) * s.overlap(u)).sum::<f64>()
+/// How the energy changes along `step` away from `u`, J: a sum of forces, which tells a minimum from what is beside it where energies do not differ any more.
+fn slope(springs: &[Spring], weights: &[f64], k: f64, u: &[f64], step: &[f64]) -> f64 {
+    let falls: f64 = weights.iter().zip(step).map(|(w, s)| w * s).sum();
+    let shortens = |s: &Spring| s.acts.iter().map(|&(i, factor)| factor * step[i]).sum::<f64>();
+    springs.iter().fold(falls, |sum, s| sum - k * s.share * s.overlap(u) * shortens(s))
 }
 
 /// Takes `u` to the least energy at stiffness `k`.
@@ -84,18 +87,26 @@ fn rest(springs: &[Spring], weights: &[f64], k: f64, u: &mut [f64]) -> Option<()
             return Some(());
         }
         (0..n).for_each(|i| matrix[i * n + i] += HELD * k);
-        let step = solve(matrix, gradient.clone())?;
-        let slope: f64 = -gradient.iter().zip(&step).map(|(g, s)| g * s).sum::<f64>();
-        let before = energy(springs, weights, k, u);
-        let mut share = 1.0;
-        loop {
-            let next: Vec<f64> = u.iter().zip(&step).map(|(u, s)| u - share * s).collect();
-            if energy(springs, weights, k, &next) <= before + 1e-4 * share * slope || share < 1e-9 {
-                u.copy_from_slice(&next);
-                break;
+        let step = solve(matrix, gradient)?;
+        let step: Vec<f64> = step.iter().map(|s| -s).collect();
+        let at = |share: f64| u.iter().zip(&step).map(|(u, s)| u + share * s).collect::<Vec<_>>();
+        // E is convex: where it still falls after the whole step that is taken, else the search closes in on the place from which it rises
+        let steep = -slope(springs, weights, k, u, &step);
+        let (mut low, mut share, mut high) = (0.0, 1.0, 1.0);
+        let next = loop {
+            let next = at(share);
+            let rises = slope(springs, weights, k, &next, &step);
+            if rises.abs() <= STEEP * steep || (share == 1.0 && rises < 0.0) || high - low < 1e-9 {
+                break next;
             }
-            share *= 0.5;
-        }
+            if rises > 0.0 {
+                high = share
+            } else {
+                low = share
+            }
+            share = 0.5 * (low + high);
+        };
+        u.copy_from_slice(&next);
     }
     None
 }
