@@ -36,6 +36,17 @@ fn the_report_has_these_fields() {
     assert!(report["asleep_at_s"].as_f64().unwrap() < 3.0);
 }
 
+/// What the README shows of `teeter run` is what it says: but for the time, which is that of a machine.
+#[test]
+fn the_readme_shows_what_run_says() {
+    let readme = include_str!("../../../README.md");
+    let (_, shown) = readme.split_once("$ teeter run tower --no-sleep\n").unwrap();
+    let (shown, _) = shown.split_once("```").unwrap();
+    let said = teeter(&["run", "tower", "--no-sleep"]).out;
+    let timeless = |text: &str| text.lines().filter(|line| !line.starts_with("  time")).map(str::to_owned).collect::<Vec<_>>();
+    assert_eq!(timeless(shown), timeless(&said));
+}
+
 /// Every scene of the list whose answer is known, the knife's edge included.
 #[test]
 fn verdicts_of_the_list() {
