@@ -32,7 +32,7 @@ impl Subject {
     /// Plays the moves.
     pub fn new(column: &'static Column) -> Result<Self, Fault> {
         let (mut outcomes, mut embedded) = (Vec::new(), 0.0f64);
-        moves::play(column, 6, |tower, outcome| {
+        moves::play(column, &moves::acts()[..6], |tower, outcome| {
             embedded = embedded.max(deepest(tower));
             outcomes.push(outcome);
         })?;
