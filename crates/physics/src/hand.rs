@@ -132,13 +132,16 @@ impl Pull {
     fn limited(&self, spring: DVec3) -> (DVec3, bool) {
         match self.grip {
             Grip::Slide => {
-                let (weight, up) = (self.weight.length(), self.weight.normalize_or_zero());
-                let lift = spring.dot(up);
-                let level = spring - up * lift;
+                let up = self.weight.normalize_or_zero();
+                let level = spring - up * spring.dot(up);
+                let highest = self.weight.length().min(self.max_force);
+                let lift = (spring + self.carried).dot(up).clamp(-highest, highest);
+                // what it lifts is part of its force
+                let most = (self.max_force * self.max_force - lift * lift).sqrt();
                 let size = level.length();
-                let capped = size > self.max_force;
-                let level = if capped { level * (self.max_force / size) } else { level };
-                (level + up * (lift + self.carried.dot(up)).clamp(-weight, weight), capped)
+                let capped = size > most;
+                let level = if capped { level * (most / size) } else { level };
+                (level + up * lift, capped)
             }
             Grip::Carry => {
                 let size = spring.length();

@@ -138,7 +138,8 @@ fn a_tight_block_stays_and_the_tower_with_it() {
     let hand = Hand { max_force: 1.0, ..pull(&world, body, 0.05) };
     let report = run(&mut world, 2.0, &Input { hand: Some(hand), ..Input::default() });
     let felt = report.hand.unwrap();
-    assert!(felt.capped && (felt.force.length() - 1.0).abs() < 0.05, "{felt:?}");
+    // what it lifts is part of it
+    assert!(felt.capped && (felt.force.length() - 1.0).abs() < 1e-9, "{felt:?}");
     assert!(displacement(&before, &world) < 1e-4);
 }
 
