@@ -270,6 +270,7 @@ pub fn run(bar: &ProgressBar) -> Result<String, Fault> {
 mod tests {
     use super::super::column::ENGINE;
     use super::*;
+    use crate::summary::quantile;
 
     fn outcomes(column: &Column, acts: &[Act]) -> Vec<Outcome> {
         let mut outcomes = Vec::new();
@@ -279,7 +280,7 @@ mod tests {
     }
 
     /// As the real tower of section 6.1.2: loose blocks come out without a movement, 4-3, which bears load, takes the tower along a little, and
-    /// what is laid moves it slightly.
+    /// what is laid or dropped moves it slightly.
     #[test]
     fn the_engine_plays_all_moves() {
         for column in &ENGINE {
@@ -287,7 +288,7 @@ mod tests {
                 let (least, most) = match n + 1 {
                     1 | 7 | 9 | 11 => (0.0, 5e-5),
                     5 => (1e-4, 1e-2),
-                    6 | 8 | 12 => continue,
+                    6 | 8 | 12 => (0.0, 5e-3),
                     _ => (0.0, 5e-4),
                 };
                 assert!((least..most).contains(&outcome.furthest), "{}, move {}: {outcome:?}", column.name, n + 1);
@@ -318,7 +319,7 @@ mod tests {
             let median = |of: fn(&Outcome) -> f64| {
                 let mut values: Vec<f64> = all.iter().map(|outcomes| of(&outcomes[n - 1])).collect();
                 values.sort_by(f64::total_cmp);
-                values[values.len() / 2]
+                quantile(&values, 0.5).expect("there are some")
             };
             let (furthest, off) = (median(|o| o.furthest), median(|o| o.off));
             assert!(furthest < 2e-3 && off < 5e-3, "move {n}: others {furthest} m, the block {off} m in the median");
