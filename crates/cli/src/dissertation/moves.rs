@@ -148,9 +148,9 @@ impl Game {
         (block, self.tower.centre(block).distance(hand))
     }
 
-    /// Where a block rests in a place, m, on the tower as it now stands: as far as it should be from its neighbour in the row, or from the
+    /// Where the block in hand rests in a place, m, on the tower as it now stands: as far as it should be from its neighbour in the row, or from the
     /// middle of the row below, and as high as the highest block of that row.
-    fn rest(&self, row: usize, place: usize) -> DVec3 {
+    fn rest(&self, block: usize, row: usize, place: usize) -> DVec3 {
         let (height, pitch) = (BlockPreset::Dissertation.size()[2], BlockPreset::Dissertation.pitch());
         let blocks = |row: usize| self.places.get(row).into_iter().flatten().enumerate().filter_map(|(n, b)| b.map(|b| (n, b)));
         let level = |v: DVec3| DVec3::new(v.x, v.y, 0.0).normalize_or_zero();
@@ -169,7 +169,13 @@ impl Game {
                 self.tower.centre(b) + (1.0 - n as f64) * pitch * across + from_axis * pitch * along
             })
             .collect();
-        let beside = blocks(row).map(|(n, b)| self.tower.centre(b) + (place as f64 - n as f64) * pitch * axes(row, b).1).next();
+        // The nearest in the row may lie askew, or the block in hand may: their corners stay as far from each other as their sides would.
+        let beside = blocks(row).min_by_key(|(n, _)| n.abs_diff(place)).map(|(n, b)| {
+            let (places, right) = (place as f64 - n as f64, axes(row, b).1);
+            let reach = |b: usize| self.tower.corners(b).into_iter().map(|c| (c - self.tower.centre(b)).dot(right)).fold(0.0, f64::max);
+            let askew = (reach(b) + reach(block) - BlockPreset::Dissertation.size()[1]).max(0.0);
+            self.tower.centre(b) + (places * pitch + places.signum() * askew) * right
+        });
         let middle = beside.unwrap_or_else(|| below.iter().sum::<DVec3>() / below.len() as f64);
         let highest = blocks(row - 1).map(|(_, b)| self.tower.centre(b).z).fold(0.0, f64::max);
         DVec3::new(middle.x, middle.y, highest + height)
@@ -178,7 +184,7 @@ impl Game {
     /// Lays or drops the block in hand on its place, and gives it and how far it ends from there sideways.
     fn put(&mut self, row: usize, place: usize, above: f64) -> (usize, f64) {
         let (block, hand) = self.held.expect("the moves put what was taken");
-        let rest = self.rest(row, place);
+        let rest = self.rest(block, row, place);
         let over = self.tower.top(&|b| b != block) + 0.05;
         self.go(DVec3::new(hand.x, hand.y, over), 0.25, true);
         self.go(DVec3::new(rest.x, rest.y, over), 0.25, true);
@@ -270,7 +276,6 @@ pub fn run(bar: &ProgressBar) -> Result<String, Fault> {
 mod tests {
     use super::super::column::ENGINE;
     use super::*;
-    use crate::summary::quantile;
 
     fn outcomes(column: &Column, acts: &[Act]) -> Vec<Outcome> {
         let mut outcomes = Vec::new();
@@ -288,17 +293,17 @@ mod tests {
                 let (least, most) = match n + 1 {
                     1 | 7 | 9 | 11 => (0.0, 5e-5),
                     5 => (1e-4, 1e-2),
-                    6 | 8 | 12 => (0.0, 5e-3),
+                    6 | 8 | 12 => (0.0, 1e-3),
                     _ => (0.0, 5e-4),
                 };
                 assert!((least..most).contains(&outcome.furthest), "{}, move {}: {outcome:?}", column.name, n + 1);
-                assert!(outcome.off < 1e-2, "{}, move {}: {outcome:?}", column.name, n + 1);
+                assert!(outcome.off < 2e-3, "{}, move {}: {outcome:?}", column.name, n + 1);
             }
         }
     }
 
-    /// How a dropped block bounces hangs on micrometres, and now and then it takes a neighbour along by 7 mm; so a drop is judged by the median over
-    /// heights that differ by a twentieth. Each of them leaves all blocks in the tower.
+    /// Whatever the drop, for the heights differ by a twentieth. 8-3 was once laid on the edge of its neighbour, which a drop had left askew, and the
+    /// next drop sent it down by 7 mm.
     #[test]
     fn a_drop_moves_the_tower_a_little() {
         let [rigid] = ENGINE.iter().filter(|c| c.name == "rigid").collect::<Vec<_>>()[..] else { panic!("there is one such column") };
@@ -315,14 +320,11 @@ mod tests {
             })
         };
         let all: Vec<Vec<Outcome>> = heights.par_iter().map(|&factor| outcomes(rigid, &dropped(factor))).collect();
-        for n in [6, 8, 12] {
-            let median = |of: fn(&Outcome) -> f64| {
-                let mut values: Vec<f64> = all.iter().map(|outcomes| of(&outcomes[n - 1])).collect();
-                values.sort_by(f64::total_cmp);
-                quantile(&values, 0.5).expect("there are some")
-            };
-            let (furthest, off) = (median(|o| o.furthest), median(|o| o.off));
-            assert!(furthest < 2e-3 && off < 5e-3, "move {n}: others {furthest} m, the block {off} m in the median");
+        for (factor, outcomes) in heights.iter().zip(&all) {
+            for n in [6, 8, 12] {
+                let outcome = outcomes[n - 1];
+                assert!(outcome.furthest < 1e-3 && outcome.off < 2e-3, "{factor} of the height, move {n}: {outcome:?}");
+            }
         }
     }
 }
