@@ -43,6 +43,9 @@ pub trait Form<R: Real>: Clone + std::fmt::Debug + Send + Sync {
     /// Displacement (m) and turn (rad) of the body in lane `l` since its pose was made exact.
     fn displacement(&self, l: usize) -> (DVec3, DVec3);
 
+    /// The same laid out as its row of velocity; nothing of a body in which this and its shape are one, for there it lacks the last digits.
+    fn way(&self, l: usize) -> Option<Row<R>>;
+
     /// Velocity of its centre and spin, m and rad per substep.
     fn motion(&self, l: usize) -> (DVec3, DVec3);
 

@@ -15,6 +15,7 @@ use crate::report::HandReport;
 use crate::rest;
 use crate::setup::Setup;
 use crate::sync;
+use crate::ways::Ways;
 
 /// A frame to step, the same for all clusters.
 #[derive(Debug, Clone, Copy)]
@@ -96,7 +97,7 @@ impl Cluster {
             return;
         }
         *moved = Moved::all(self.len());
-        self.unload(moved);
+        self.unload(frame, done, moved);
         self.commit(frame, done, moved, outcome);
         self.measure(moved, outcome);
     }
@@ -156,10 +157,16 @@ impl Cluster {
         Moved::those(is)
     }
 
-    /// Takes the springs of what has moved out of the inner loop.
-    pub fn unload(&mut self, moved: &Moved) {
+    /// Takes the springs of what has moved out of the inner loop, those of a frame without a sync to the last digit of the ways of their
+    /// points.
+    pub fn unload(&mut self, frame: &Frame, done: usize, moved: &Moved) {
         let Self { contacts, packing, kernel, .. } = self;
-        with_kernel!(*kernel, |kernel| packing.unload(kernel, contacts, moved));
+        let substeps = frame.setup.substeps;
+        let whole = done == substeps && packing.since.iter().all(|&since| since == 0);
+        with_kernel!(*kernel, |kernel| {
+            let ways = if whole { Ways::of(kernel, substeps) } else { None };
+            packing.unload(kernel, contacts, moved, ways.as_ref());
+        });
     }
 
     /// Makes the displacements of what has moved, and of what touches it, into poses.

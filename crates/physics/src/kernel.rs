@@ -386,7 +386,7 @@ pub struct Geometry<L> {
 
 impl<L: Lanes> Geometry<L> {
     #[inline(always)]
-    fn load(group: &Group<L::Number>, part: usize) -> Self {
+    pub fn load(group: &Group<L::Number>, part: usize) -> Self {
         let frame = [load3(&group.frame[0], part), load3(&group.frame[1], part), load3(&group.frame[2], part)];
         Self { arm: load3(&group.arm, part), frame }
     }

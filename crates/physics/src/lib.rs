@@ -52,6 +52,7 @@ mod setup;
 mod snapshot;
 mod step;
 mod sync;
+mod ways;
 mod world;
 
 pub use constants::REFERENCE_AREA;

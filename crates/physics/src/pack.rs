@@ -17,6 +17,7 @@ use crate::lattice::{Particles, Springs};
 use crate::manifold::Manifold;
 use crate::moved::Moved;
 use crate::setup::Setup;
+use crate::ways::Ways;
 
 /// Neighbours in the order of manifolds share a body, and a sum that is added to twice in a row is waited for: entries follow each other
 /// in steps of this many manifolds.
@@ -74,7 +75,13 @@ impl Packing {
     }
 
     /// Takes the springs of what has moved back into the manifolds, and their entries out of their lanes.
-    pub fn unload<R: Real, F: Form<R>>(&mut self, kernel: &mut Kernel<R, F>, contacts: &mut Contacts, moved: &Moved) {
+    pub fn unload<R: Real, F: Form<R>>(
+        &mut self,
+        kernel: &mut Kernel<R, F>,
+        contacts: &mut Contacts,
+        moved: &Moved,
+        ways: Option<&Ways<R>>,
+    ) {
         let floor = kernel.floor();
         for (at, lane) in self.lanes.iter_mut().enumerate() {
             let Some(entry) = lane else { continue };
@@ -84,9 +91,10 @@ impl Packing {
             let (group, l) = (&mut kernel.groups[at / LANES], at % LANES);
             if let Some(place) = contacts.find_at(entry.at, (entry.a, entry.b)) {
                 let points = &mut contacts.manifolds[place].points;
-                for (from, &p) in group.points.iter().zip(&entry.points) {
+                for (slot, (from, &p)) in group.points.iter().zip(&entry.points).enumerate() {
                     let to = &mut points[p as usize];
-                    to.stretch = [from.stretch[0].0[l].to_f64(), from.stretch[1].0[l].to_f64()];
+                    let stretch = [from.stretch[0].0[l], from.stretch[1].0[l]];
+                    to.stretch = ways.map_or(stretch.map(R::to_f64), |ways| ways.stretched(to.stretch, stretch, (at, slot)));
                     to.creep = from.creep.0[l].to_f64();
                     to.force = from.normal.0[l].to_f64();
                 }

@@ -196,6 +196,11 @@ impl<R: Real> Form<R> for Rigid<R> {
         (vector(&self.shift, l), vector(&self.turn, l))
     }
 
+    fn way(&self, l: usize) -> Option<Row<R>> {
+        let (shift, turn) = self.displacement(l);
+        Some(Row::of(shift - turn.cross(vector(&self.offset, l)), turn))
+    }
+
     fn motion(&self, l: usize) -> (DVec3, DVec3) {
         (vector(&self.velocity, l), vector(&self.spin, l))
     }

@@ -61,7 +61,7 @@ impl Cluster {
             self.pack(frame, &acts, done, batch, &moved);
             done += self.run(frame, &mut acts, done, batch, &mut outcome);
             moved = self.moved(frame, &acts, done);
-            self.unload(&moved);
+            self.unload(frame, done, &moved);
             self.commit(frame, done, &mut moved, &mut outcome);
             self.detect(frame, done, &mut moved, &mut outcome);
             self.measure(&moved, &mut outcome);

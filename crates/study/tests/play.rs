@@ -47,11 +47,12 @@ fn a_bottom_block_that_bears_alone_cannot_be_taken() {
     assert!(!gone.fell && gone.exact_fell == Some(false) && gone.creep_mm < 1e-4, "{gone:?}");
 }
 
+/// The row is drawn as slowly as drags along what lies on it; at 3 m/s that comes straight down by a row.
 #[test]
 fn a_torn_tower_ends_as_a_heap_of_solid_blocks() {
     let world = settled(&named("loose").unwrap(), Params { frame: 1.0 / 240.0, ..params() }).unwrap();
-    let torn = yank(&world, &[3, 4, 5], DVec3::new(3.0, 0.0, 0.0), 2.0);
-    assert!(torn.moved > 3 && !torn.lost && !torn.through && torn.lasting_s < 0.02, "{torn:?}");
+    let torn = yank(&world, &[3, 4, 5], DVec3::new(1.0, 0.0, 0.0), 2.0);
+    assert!(torn.moved > 12 && !torn.lost && !torn.through && torn.lasting_s < 0.02, "{torn:?}");
     assert!(torn.quiet_s.is_some(), "{torn:?}");
 }
 

@@ -48,6 +48,8 @@ pub trait Real:
     type Avx2: Lanes<Number = Self>;
     /// A register that is always there.
     type Base: Lanes<Number = Self>;
+    /// Most that rounding changes a number, over the number.
+    const HALF_ULP: f64;
     /// The nearest value.
     fn from_f64(x: f64) -> Self;
     /// The same value.
@@ -69,6 +71,7 @@ macro_rules! real {
             type Base = $simd128;
             #[cfg(not(any(target_arch = "x86_64", all(target_arch = "wasm32", target_feature = "simd128"))))]
             type Base = portable::Plain<$t>;
+            const HALF_ULP: f64 = 0.5 * <$t>::EPSILON as f64;
             #[inline(always)]
             fn from_f64(x: f64) -> Self {
                 x as $t

@@ -251,6 +251,10 @@ impl<R: Real> Form<R> for Lattice<R> {
         self.whole(l, &self.shift, start)
     }
 
+    fn way(&self, _: usize) -> Option<Row<R>> {
+        None
+    }
+
     fn motion(&self, l: usize) -> (DVec3, DVec3) {
         self.whole(l, &self.velocity, [DVec3::ZERO; 3])
     }
