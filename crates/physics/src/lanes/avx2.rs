@@ -4,7 +4,8 @@
 
 use std::arch::x86_64::*;
 
-use super::{Parts, Turn, collect, register, turn_fours};
+use super::Turn;
+use super::register::{Parts, collect, register, turn_fours};
 
 register! {
     /// Eight f32.

@@ -5,7 +5,8 @@
 
 use std::arch::x86_64::*;
 
-use super::{Parts, Turn, avx2, collect, register};
+use super::register::{Parts, collect, register};
+use super::{Turn, avx2};
 
 /// Whether the processor has what is used here.
 pub fn available() -> bool {

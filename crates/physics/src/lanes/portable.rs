@@ -106,10 +106,6 @@ impl<R: Real> std::ops::Sub for Six<R> {
 
 impl<R: Real> Row<R> for Six<R> {
     #[inline(always)]
-    fn zero() -> Self {
-        Self([R::default(); 6])
-    }
-    #[inline(always)]
     fn read(from: &[R; ROW]) -> Self {
         Self(std::array::from_fn(|i| from[PLACES[i]]))
     }

@@ -2,7 +2,7 @@
 
 use std::arch::wasm32::*;
 
-use super::{register, turn_fours, turn_twos};
+use super::register::{register, turn_fours, turn_twos};
 
 register! {
     /// Four f32.

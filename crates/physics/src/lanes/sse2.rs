@@ -2,7 +2,7 @@
 
 use std::arch::x86_64::*;
 
-use super::{register, turn_fours, turn_twos};
+use super::register::{register, turn_fours, turn_twos};
 
 register! {
     /// Four f32.
