@@ -5,11 +5,11 @@
 
 use glam::{DQuat, DVec3};
 
-use crate::kernel::{Geometry, Group, Row};
+use crate::kernel::{Group, Row};
 use crate::lanes::{LANES, Lanes, Real};
 use crate::lattice::{Particles, Springs};
 
-/// Sixteen bodies of one form, a lane each.
+/// [`LANES`] bodies of one form, a lane each.
 pub trait Form<R: Real>: Clone + std::fmt::Debug + Send + Sync {
     /// Rows of velocity, and of force, that a body has.
     const ROWS: usize;
@@ -23,22 +23,16 @@ pub trait Form<R: Real>: Clone + std::fmt::Debug + Send + Sync {
     fn load(&mut self, l: usize, body: &Loading, velocity: &mut [Row<R>], load: &mut [Row<R>]);
 
     /// How B moves against A at the contacts of a part of a group, along their frames.
-    fn relative<L: Lanes<Number = R>>(group: &Group<R>, part: usize, at: &Geometry<L>, velocity: &[Row<R>]) -> Self::Motion<L>;
+    fn relative<L: Lanes<Number = R>>(group: &Group<R>, part: usize, velocity: &[Row<R>], motion: &mut Self::Motion<L>);
 
-    /// Adds what the contacts did to the forces on B, and takes it from those on A.
-    fn react<L: Lanes<Number = R>>(
-        group: &Group<R>,
-        part: usize,
-        at: &Geometry<L>,
-        sum: &<Self::Motion<L> as Motion<L>>::Wrench,
-        force: &mut [Row<R>],
-    );
+    /// Adds what the contacts did to the forces on B, and takes it from those on A. Uses up the sum.
+    fn react<L: Lanes<Number = R>>(group: &Group<R>, part: usize, sum: &mut <Self::Motion<L> as Motion<L>>::Wrench, force: &mut [Row<R>]);
 
     /// Advances a part of the bodies by a substep with the forces on them, which begin anew with the load.
     fn integrate<L: Lanes<Number = R>>(&mut self, part: usize, velocity: &mut [Row<R>], force: &mut [Row<R>], load: &[Row<R>]);
 
-    /// Whether one of them has gone as far as it may between two syncs.
-    fn beyond<L: Lanes<Number = R>>(&self) -> bool;
+    /// Whether one of a part of them has gone as far as it may between two syncs.
+    fn beyond<L: Lanes<Number = R>>(&self, part: usize) -> bool;
 
     /// Displacement (m) and turn (rad) of the body in lane `l` since its pose was made exact.
     fn displacement(&self, l: usize) -> (DVec3, DVec3);
@@ -57,9 +51,12 @@ pub trait Form<R: Real>: Clone + std::fmt::Debug + Send + Sync {
 }
 
 /// How two bodies move against each other, along normal, tangent, tangent of a contact.
-pub trait Motion<L: Lanes> {
+pub trait Motion<L: Lanes>: Copy {
     /// Forces of points, summed.
-    type Wrench;
+    type Wrench: Copy;
+
+    /// None.
+    fn still() -> Self;
 
     /// The sum of none.
     fn no_force() -> Self::Wrench;

@@ -5,6 +5,9 @@
 //! displacements since the last sync; a gap formed from f32 positions would be wrong by 30 nm. Velocities are ways in a substep, which
 //! saves the multiplications by its length.
 //!
+//! Results are written where they are wanted one by one, as soon as they are reckoned: engines of WebAssembly load all that is needed up to
+//! the next write before they reckon anything, and put aside what their registers cannot hold.
+//!
 //! Arrays are written out here and not mapped: a closure given to `map` is not always put in its place, which costs ten times the
 //! time where wider registers are used than the program was built for.
 
@@ -22,9 +25,12 @@ use crate::params::Width;
 /// Points of an entry; a manifold with more has several entries.
 pub const SLOTS: usize = 4;
 
+/// Lanes of groups that are taken through each stage of the law at a time: their data stay in the nearest cache.
+const STAGE: usize = 128;
+
 /// One number a lane.
 #[derive(Debug, Clone, Copy, Default)]
-#[repr(align(64))]
+#[cfg_attr(target_arch = "x86_64", repr(align(64)))]
 pub struct Lane<R>(pub [R; LANES]);
 
 /// A point of each contact of a group.
@@ -42,8 +48,8 @@ pub struct PointLanes<R> {
     pub creep: Lane<R>,
     /// Stiffness, N/m.
     pub stiffness: Lane<R>,
-    /// Normal force at the last look, N.
-    pub normal: Lane<R>,
+    /// Pull along the normal, N: what it pushes is below zero.
+    pub pull: Lane<R>,
 }
 
 /// A contact a lane.
@@ -79,6 +85,12 @@ impl<R: Real> Group<R> {
         }
     }
 
+    /// Normal and tangents in the world, of a part.
+    #[inline(always)]
+    pub fn frame_of<L: Lanes<Number = R>>(&self, part: usize) -> [[L; 3]; 3] {
+        [load3(&self.frame[0], part), load3(&self.frame[1], part), load3(&self.frame[2], part)]
+    }
+
     /// Makes lane `l` an open contact of the floor with itself.
     pub fn open(&mut self, l: usize, floor: u32) {
         (self.a[l], self.b[l], self.counts[l]) = (floor, floor, 0);
@@ -86,8 +98,7 @@ impl<R: Real> Group<R> {
             axis.0[l] = R::default();
         }
         for p in &mut self.points {
-            for number in p.arm.iter_mut().chain(&mut p.lever).chain(&mut p.stretch).chain([&mut p.creep, &mut p.stiffness, &mut p.normal])
-            {
+            for number in p.arm.iter_mut().chain(&mut p.lever).chain(&mut p.stretch).chain([&mut p.creep, &mut p.stiffness, &mut p.pull]) {
                 number.0[l] = R::default();
             }
             p.gap.0[l] = R::from_f64(1.0);
@@ -182,7 +193,10 @@ impl<R: Real, F: Form<R>> Kernel<R, F> {
     }
 
     /// Runs up to `substeps` substeps; fewer when a body reaches its bound. Returns how many.
+    ///
+    /// A function of its own: engines of WebAssembly move what a branch alone needs into it, be it out of a frame into its inner loop.
     #[cfg(not(target_arch = "x86_64"))]
+    #[inline(never)]
     pub fn run(&mut self, law: &Law<R>, substeps: usize, actors: &mut Actors) -> usize {
         self.run_in::<R::Base>(law, substeps, actors)
     }
@@ -202,24 +216,22 @@ impl<R: Real, F: Form<R>> Kernel<R, F> {
     #[inline(always)]
     fn run_in<L: Lanes<Number = R>>(&mut self, law: &Law<R>, substeps: usize, actors: &mut Actors) -> usize {
         self.force.copy_from_slice(&self.load);
+        let mut parts: Vec<Part<L, F::Motion<L>>> = self.groups.iter().flat_map(Part::of).collect();
         for done in 0..substeps {
             let look = done % GUARD_SUBSTEPS == GUARD_SUBSTEPS - 1;
-            let keep = look || done + 1 == substeps;
-            for group in &mut self.groups {
-                for part in 0..LANES / L::WIDTH {
-                    contact::<L, F>(group, part, keep, law, &self.velocity, &mut self.force);
-                }
+            for (groups, parts) in self.groups.chunks_mut(STAGE / LANES).zip(parts.chunks_mut(STAGE / L::WIDTH)) {
+                contacts::<L, F>(groups, parts, law, &self.velocity, &mut self.force);
             }
             self.act(actors);
-            for (i, bodies) in self.bodies.iter_mut().enumerate() {
-                let filled = (self.len - LANES * i).min(LANES).div_ceil(L::WIDTH);
-                for part in 0..filled {
-                    let first = F::ROWS * (LANES * i + L::WIDTH * part);
-                    let rows = first..first + F::ROWS * L::WIDTH;
-                    bodies.integrate::<L>(part, &mut self.velocity[rows.clone()], &mut self.force[rows.clone()], &self.load[rows]);
-                }
+            let mut beyond = false;
+            let velocity = self.velocity.chunks_exact_mut(F::ROWS * L::WIDTH);
+            let rows = velocity.zip(self.force.chunks_exact_mut(F::ROWS * L::WIDTH)).zip(self.load.chunks_exact(F::ROWS * L::WIDTH));
+            for (i, ((velocity, force), load)) in rows.take(self.len.div_ceil(L::WIDTH)).enumerate() {
+                let (bodies, part) = (&mut self.bodies[i / (LANES / L::WIDTH)], i % (LANES / L::WIDTH));
+                bodies.integrate::<L>(part, velocity, force, load);
+                beyond |= look && bodies.beyond::<L>(part);
             }
-            if look && self.bodies.iter().any(F::beyond::<L>) {
+            if beyond {
                 return done + 1;
             }
         }
@@ -348,48 +360,75 @@ pub fn out_of_frame<L: Lanes>(frame: &[[L; 3]; 3], v: &[L; 3]) -> [L; 3] {
     [x[0] * v[0] + y[0] * v[1] + z[0] * v[2], x[1] * v[0] + y[1] * v[1] + z[1] * v[2], x[2] * v[0] + y[2] * v[1] + z[2] * v[2]]
 }
 
-/// The contact law on a part of a group: velocities in, forces out, springs advanced. Normal forces are kept where asked for.
+/// What happens in a substep at as many contacts of a group as a register holds.
+struct Part<L: Lanes, M: Motion<L>> {
+    /// Points in the fullest lane.
+    count: u8,
+    motion: M,
+    sum: M::Wrench,
+}
+
+impl<L: Lanes, M: Motion<L>> Part<L, M> {
+    /// Those of a group.
+    fn of(group: &Group<L::Number>) -> impl Iterator<Item = Self> {
+        group.counts.chunks_exact(L::WIDTH).map(|counts| {
+            let count = counts.iter().fold(0, |most, &count| most.max(count));
+            Self { count, motion: M::still(), sum: M::no_force() }
+        })
+    }
+}
+
+/// The contact law on some groups: velocities in, forces out, springs advanced.
+///
+/// Each stage is done for all of them before the next is begun: its loop is short, and a processor looks ahead from one contact into others.
 #[inline(always)]
-fn contact<L: Lanes, F: Form<L::Number>>(
-    group: &mut Group<L::Number>,
-    part: usize,
-    keep: bool,
+fn contacts<L: Lanes, F: Form<L::Number>>(
+    groups: &mut [Group<L::Number>],
+    parts: &mut [Part<L, F::Motion<L>>],
     law: &Law<L::Number>,
     velocity: &[Row<L::Number>],
     force: &mut [Row<L::Number>],
 ) {
-    let first = L::WIDTH * part;
-    let count = group.counts[first..first + L::WIDTH].iter().fold(0, |most, &count| most.max(count));
-    if count == 0 {
-        return;
+    for (group, parts) in groups.iter().zip(parts.chunks_exact_mut(LANES / L::WIDTH)) {
+        for (i, part) in parts.iter_mut().enumerate() {
+            if LANES == L::WIDTH || part.count > 0 {
+                F::relative::<L>(group, i, velocity, &mut part.motion);
+            }
+        }
     }
-    let geometry = Geometry::load(group, part);
-    let motion = F::relative::<L>(group, part, &geometry, velocity);
-    let mut sum = F::Motion::<L>::no_force();
+    for (group, parts) in groups.iter_mut().zip(parts.chunks_exact_mut(LANES / L::WIDTH)) {
+        for (i, part) in parts.iter_mut().enumerate() {
+            part.sum = springs(group, i, part.count, law, &part.motion);
+        }
+    }
+    for (group, parts) in groups.iter().zip(parts.chunks_exact_mut(LANES / L::WIDTH)) {
+        for (i, part) in parts.iter_mut().enumerate() {
+            if LANES == L::WIDTH || part.count > 0 {
+                F::react::<L>(group, i, &mut part.sum, force);
+            }
+        }
+    }
+}
+
+/// The springs of a part of a group of which the fullest lane has `count` points. Written out, for a compiler keeps a loop over them.
+#[inline(always)]
+fn springs<L: Lanes, M: Motion<L>>(group: &mut Group<L::Number>, part: usize, count: u8, law: &Law<L::Number>, motion: &M) -> M::Wrench {
+    let mut sum = M::no_force();
     let relaxation = load(&group.relaxation, part);
-    for point in group.points.iter_mut().take(count as usize) {
-        spring(point, part, keep, law, relaxation, &motion, &mut sum);
+    let [p, q, r, s] = &mut group.points;
+    if count > 0 {
+        spring(p, part, law, relaxation, motion, &mut sum);
     }
-    // vector registers are too few to keep the geometry until here, and storing it elsewhere would cost more than loading it again
-    let geometry = if L::WIDTH == 1 { geometry } else { Geometry::load(group, part) };
-    F::react::<L>(group, part, &geometry, &sum, force);
-}
-
-/// Where the contacts of a part of a group are.
-#[derive(Debug, Clone, Copy)]
-pub struct Geometry<L> {
-    /// Centroid from the cluster's reference point, m.
-    pub arm: [L; 3],
-    /// Normal and tangents in the world.
-    pub frame: [[L; 3]; 3],
-}
-
-impl<L: Lanes> Geometry<L> {
-    #[inline(always)]
-    pub fn load(group: &Group<L::Number>, part: usize) -> Self {
-        let frame = [load3(&group.frame[0], part), load3(&group.frame[1], part), load3(&group.frame[2], part)];
-        Self { arm: load3(&group.arm, part), frame }
+    if count > 1 {
+        spring(q, part, law, relaxation, motion, &mut sum);
     }
+    if count > 2 {
+        spring(r, part, law, relaxation, motion, &mut sum);
+    }
+    if count > 3 {
+        spring(s, part, law, relaxation, motion, &mut sum);
+    }
+    sum
 }
 
 /// The springs of one point in each lane, from the motion of B relative to A along normal, tangent, tangent.
@@ -397,7 +436,6 @@ impl<L: Lanes> Geometry<L> {
 fn spring<L: Lanes, M: Motion<L>>(
     p: &mut PointLanes<L::Number>,
     part: usize,
-    keep: bool,
     law: &Law<L::Number>,
     relaxation: L,
     motion: &M,
@@ -419,9 +457,7 @@ fn spring<L: Lanes, M: Motion<L>>(
         zero.store(&mut p.creep.0, part);
         zero.store(&mut p.stretch[0].0, part);
         zero.store(&mut p.stretch[1].0, part);
-        if keep {
-            zero.store(&mut p.normal.0, part);
-        }
+        zero.store(&mut p.pull.0, part);
         return;
     }
     let creep = L::only(closed, load::<L>(&p.creep, part) * L::splat(law.keep) + vn);
@@ -430,9 +466,7 @@ fn spring<L: Lanes, M: Motion<L>>(
     let pull = k * ((gap + creep) + relaxation * vn);
     let pull = L::only(pull.less(zero), pull);
     creep.store(&mut p.creep.0, part);
-    if keep {
-        (zero - pull).store(&mut p.normal.0, part);
-    }
+    pull.store(&mut p.pull.0, part);
 
     // tangential: a spring and a damper within Coulomb's cone
     let kt = L::splat(law.tangential) * k;

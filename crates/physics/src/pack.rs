@@ -96,7 +96,7 @@ impl Packing {
                     let stretch = [from.stretch[0].0[l], from.stretch[1].0[l]];
                     to.stretch = ways.map_or(stretch.map(R::to_f64), |ways| ways.stretched(to.stretch, stretch, (at, slot)));
                     to.creep = from.creep.0[l].to_f64();
-                    to.force = from.normal.0[l].to_f64();
+                    to.force = 0.0 - from.pull.0[l].to_f64();
                 }
             }
             if !moved.all {

@@ -4,10 +4,8 @@ use glam::{DMat3, DVec3};
 
 use crate::body::world_tensor;
 use crate::form::{Form, Loading, Motion, Push, Taken, lanes};
-use crate::kernel::{
-    Geometry, Group, Lane, Row, add, cross, dot, into_frame, load, load3, out_of_frame, put3, row, row_mut, store3, vector,
-};
-use crate::lanes::{LANES, Lanes, Real, Row as _};
+use crate::kernel::{Group, Lane, Row, add, cross, dot, load, load3, put3, row, row_mut, store3, vector};
+use crate::lanes::{Lanes, Real, Row as _};
 
 /// A body a lane.
 #[derive(Debug, Clone, Copy)]
@@ -47,6 +45,11 @@ pub struct Wrench<L> {
 
 impl<L: Lanes> Motion<L> for Turning<L> {
     type Wrench = Wrench<L>;
+
+    #[inline(always)]
+    fn still() -> Self {
+        Self { v: [L::zero(); 3], w: [L::zero(); 3] }
+    }
 
     #[inline(always)]
     fn no_force() -> Wrench<L> {
@@ -114,23 +117,32 @@ impl<R: Real> Form<R> for Rigid<R> {
     }
 
     #[inline(always)]
-    fn relative<L: Lanes<Number = R>>(group: &Group<R>, part: usize, at: &Geometry<L>, velocity: &[Row<R>]) -> Turning<L> {
+    fn relative<L: Lanes<Number = R>>(group: &Group<R>, part: usize, velocity: &[Row<R>], motion: &mut Turning<L>) {
         let first = L::WIDTH * part;
         // relative velocity at the reference point and relative spin, B over A; then at the centroid, along the frame
         let d = L::columns(|l| L::Row::read(row(velocity, group.b[first + l])) - L::Row::read(row(velocity, group.a[first + l])));
         let dw = [d[4], d[5], d[6]];
-        let turning = cross(&dw, &at.arm);
-        let v = into_frame(&at.frame, &[d[0] + turning[0], d[1] + turning[1], d[2] + turning[2]]);
-        Turning { v, w: into_frame(&at.frame, &dw) }
+        let turning = cross(&dw, &load3(&group.arm, part));
+        let dv = [d[0] + turning[0], d[1] + turning[1], d[2] + turning[2]];
+        for (k, axis) in group.frame.iter().enumerate() {
+            let axis = load3(axis, part);
+            motion.v[k] = dot(&axis, &dv);
+            motion.w[k] = dot(&axis, &dw);
+        }
     }
 
     #[inline(always)]
-    fn react<L: Lanes<Number = R>>(group: &Group<R>, part: usize, at: &Geometry<L>, sum: &Wrench<L>, force: &mut [Row<R>]) {
+    fn react<L: Lanes<Number = R>>(group: &Group<R>, part: usize, sum: &mut Wrench<L>, force: &mut [Row<R>]) {
         let first = L::WIDTH * part;
         // one force and one moment about the reference point, equal and opposite on the two
-        let f = out_of_frame(&at.frame, &sum.f);
-        let m = out_of_frame(&at.frame, &sum.m);
-        let t = cross(&at.arm, &f);
+        let Wrench { f, m } = *sum;
+        for k in 0..3 {
+            let axes = [load(&group.frame[0][k], part), load(&group.frame[1][k], part), load(&group.frame[2][k], part)];
+            sum.f[k] = dot(&axes, &f);
+            sum.m[k] = dot(&axes, &m);
+        }
+        let Wrench { f, m } = *sum;
+        let t = cross(&load3(&group.arm, part), &f);
         let zero = L::zero();
         let rows = L::rows([f[0], f[1], f[2], zero, t[0] + m[0], t[1] + m[1], t[2] + m[2], zero]);
         for (l, on_b) in rows.into_iter().enumerate() {
@@ -148,23 +160,24 @@ impl<R: Real> Form<R> for Rigid<R> {
         for (to, from) in force.iter_mut().zip(load) {
             L::Row::read(&from.0).write(&mut to.0);
         }
-        let (v, w) = (load3::<L>(&self.velocity, part), load3::<L>(&self.spin, part));
+        let ease = self::load::<L>(&self.ease, part);
+        let mut v = load3::<L>(&self.velocity, part);
         add(&mut self.shift, part, &v);
-        add(&mut self.turn, part, &w);
-        let offset = load3::<L>(&self.offset, part);
+        for k in 0..3 {
+            v[k] += ease * f[k];
+        }
+        store3(&mut self.velocity, part, &v);
         // torque about the centre
+        let offset = load3::<L>(&self.offset, part);
         let lever = cross(&offset, &[f[0], f[1], f[2]]);
         let t = [f[4] - lever[0], f[5] - lever[1], f[6] - lever[2]];
-        let ease = self::load::<L>(&self.ease, part);
-        let v = [v[0] + ease * f[0], v[1] + ease * f[1], v[2] + ease * f[2]];
+        let mut w = load3::<L>(&self.spin, part);
+        add(&mut self.turn, part, &w);
         let [xx, yy, zz] = load3::<L>(&self.turning_ease[0], part);
         let [xy, xz, yz] = load3::<L>(&self.turning_ease[1], part);
-        let w = [
-            w[0] + (xx * t[0] + xy * t[1] + xz * t[2]),
-            w[1] + (xy * t[0] + yy * t[1] + yz * t[2]),
-            w[2] + (xz * t[0] + yz * t[1] + zz * t[2]),
-        ];
-        store3(&mut self.velocity, part, &v);
+        w[0] += xx * t[0] + xy * t[1] + xz * t[2];
+        w[1] += xy * t[0] + yy * t[1] + yz * t[2];
+        w[2] += xz * t[0] + yz * t[1] + zz * t[2];
         store3(&mut self.spin, part, &w);
         let turning = cross(&w, &offset);
         let zero = L::zero();
@@ -175,21 +188,19 @@ impl<R: Real> Form<R> for Rigid<R> {
     }
 
     #[inline(always)]
-    fn beyond<L: Lanes<Number = R>>(&self) -> bool {
-        (0..LANES / L::WIDTH).any(|part| {
-            let (shift, turn) = (load3::<L>(&self.shift, part), load3::<L>(&self.turn, part));
-            let (shift, turn) = (dot(&shift, &shift), dot(&turn, &turn));
-            let (radius, travel_bound) = (load::<L>(&self.radius, part), load::<L>(&self.travel_bound, part));
-            let turn_bound = load::<L>(&self.turn_bound, part);
-            let beyond = (turn_bound * turn_bound).less(turn);
-            // Roots are for bodies that are near their bounds: (a + b)² is at most 2 (a² + b²). With room for rounding, so that it is the same
-            // whoever else is in the register.
-            let most = L::number(2.01) * (shift + turn * (radius * radius));
-            if !L::any((travel_bound * travel_bound).less(most)) {
-                return L::any(beyond);
-            }
-            L::any(travel_bound.less(shift.sqrt() + turn.sqrt() * radius)) || L::any(beyond)
-        })
+    fn beyond<L: Lanes<Number = R>>(&self, part: usize) -> bool {
+        let (shift, turn) = (load3::<L>(&self.shift, part), load3::<L>(&self.turn, part));
+        let (shift, turn) = (dot(&shift, &shift), dot(&turn, &turn));
+        let (radius, travel_bound) = (load::<L>(&self.radius, part), load::<L>(&self.travel_bound, part));
+        let turn_bound = load::<L>(&self.turn_bound, part);
+        let beyond = (turn_bound * turn_bound).less(turn);
+        // Roots are for bodies that are near their bounds: (a + b)² is at most 2 (a² + b²). With room for rounding, so that it is the same
+        // whoever else is in the register.
+        let most = L::number(2.01) * (shift + turn * (radius * radius));
+        if !L::any((travel_bound * travel_bound).less(most)) {
+            return L::any(beyond);
+        }
+        L::any(travel_bound.less(shift.sqrt() + turn.sqrt() * radius)) || L::any(beyond)
     }
 
     fn displacement(&self, l: usize) -> (DVec3, DVec3) {

@@ -6,7 +6,7 @@
 //! double precision; what the loop added up says only whether it did.
 
 use crate::form::{Form, Motion};
-use crate::kernel::{Geometry, Group, Kernel, Lane, Row, SLOTS, load};
+use crate::kernel::{Group, Kernel, Lane, Row, SLOTS, load};
 use crate::lanes::{LANES, Lanes, Real};
 
 /// Ways of the points along the tangents.
@@ -44,8 +44,8 @@ impl<R: Real> Ways<R> {
 fn along<L: Lanes, F: Form<L::Number>>(group: &Group<L::Number>, rows: &[Row<L::Number>]) -> [[Lane<L::Number>; 2]; SLOTS] {
     let mut ways = <[[Lane<L::Number>; 2]; SLOTS]>::default();
     for part in 0..LANES / L::WIDTH {
-        let geometry = Geometry::load(group, part);
-        let motion = F::relative::<L>(group, part, &geometry, rows);
+        let mut motion = F::Motion::<L>::still();
+        F::relative::<L>(group, part, rows, &mut motion);
         for (point, to) in group.points.iter().zip(&mut ways) {
             let arm = [load::<L>(&point.arm[0], part), load::<L>(&point.arm[1], part)];
             let lever = [load::<L>(&point.lever[0], part), load::<L>(&point.lever[1], part)];

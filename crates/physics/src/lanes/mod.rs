@@ -22,8 +22,14 @@ pub mod sse2;
 #[cfg(test)]
 mod tests;
 
-/// Numbers in a line of data: as many as the widest register holds.
-pub const LANES: usize = 16;
+/// Numbers in a line of data: as many as the widest register holds that the target may have. The order of sums does not depend on it.
+pub const LANES: usize = if cfg!(target_arch = "x86_64") {
+    16
+} else if cfg!(all(target_arch = "wasm32", target_feature = "simd128")) {
+    4
+} else {
+    1
+};
 /// Numbers in a row.
 pub const ROW: usize = 8;
 

@@ -1,9 +1,12 @@
 //! Parity: every operation of every width gives the bits of the plain number.
 
-use super::{LANES, Lanes, ROW, Real, Row, portable};
+use super::{Lanes, ROW, Real, Row, portable};
+
+/// A line that every register is a part of.
+const LINE: usize = 16;
 
 /// Numbers that tell roundings, signs, zeros and infinities apart.
-fn samples<R: Real>() -> Vec<[R; LANES]> {
+fn samples<R: Real>() -> Vec<[R; LINE]> {
     let mut bits = 0x9e37_79b9_7f4a_7c15_u64;
     let mut number = || {
         bits ^= bits << 13;
@@ -13,28 +16,28 @@ fn samples<R: Real>() -> Vec<[R; LANES]> {
         let power = [1e-12, 1e-6, 1.0, 1e3, 1e20][(bits % 5) as usize];
         if bits & 32 == 0 { mantissa * power } else { -mantissa * power }
     };
-    let mut all: Vec<[R; LANES]> = (0..200).map(|_| std::array::from_fn(|_| R::from_f64(number()))).collect();
+    let mut all: Vec<[R; LINE]> = (0..200).map(|_| std::array::from_fn(|_| R::from_f64(number()))).collect();
     let odd = [0.0, -0.0, 1.0, -1.0, f64::INFINITY, f64::NEG_INFINITY, f64::NAN, 1e-40, -1e-40, 1e-310, -1e-310];
     all.extend((0..odd.len()).map(|k| std::array::from_fn(|i| R::from_f64(odd[(i + k) % odd.len()]))));
     all
 }
 
-fn bits<R: Real>(x: [R; LANES]) -> [u64; LANES] {
+fn bits<R: Real>(x: [R; LINE]) -> [u64; LINE] {
     // which NaN it is may differ, and matters to nothing
     x.map(|x| if x.to_f64().is_nan() { u64::MAX } else { x.to_f64().to_bits() })
 }
 
 /// An operation on a line, part by part.
-fn each<L: Lanes>(x: &[L::Number; LANES], y: &[L::Number; LANES], op: impl Fn(L, L) -> L) -> [u64; LANES] {
-    let mut out = [L::Number::default(); LANES];
-    for part in 0..LANES / L::WIDTH {
+fn each<L: Lanes>(x: &[L::Number; LINE], y: &[L::Number; LINE], op: impl Fn(L, L) -> L) -> [u64; LINE] {
+    let mut out = [L::Number::default(); LINE];
+    for part in 0..LINE / L::WIDTH {
         op(L::load(x, part), L::load(y, part)).store(&mut out, part);
     }
     bits(out)
 }
 
 /// The same on each number alone.
-fn plain<R: Real>(x: &[R; LANES], y: &[R; LANES], op: impl Fn(R, R) -> R) -> [u64; LANES] {
+fn plain<R: Real>(x: &[R; LINE], y: &[R; LINE], op: impl Fn(R, R) -> R) -> [u64; LINE] {
     bits(std::array::from_fn(|i| op(x[i], y[i])))
 }
 
@@ -60,29 +63,29 @@ fn agrees<L: Lanes>() {
         assert_eq!(each::<L>(x, y, sub_assigned), plain(x, y, |a, b| a - b));
         assert_eq!(each::<L>(x, y, |a, b| L::select(a.less(b), a, b)), plain(x, y, |a, b| if a < b { a } else { b }));
         assert_eq!(each::<L>(x, y, |a, b| L::only(a.less(b), a)), plain(x, y, |a, b| if a < b { a } else { zero }));
-        for part in 0..LANES / L::WIDTH {
+        for part in 0..LINE / L::WIDTH {
             let lanes = L::WIDTH * part..L::WIDTH * (part + 1);
             let any = L::any(L::load(x, part).less(L::load(y, part)));
             assert_eq!(any, lanes.into_iter().any(|i| x[i] < y[i]));
         }
-        assert_eq!(each::<L>(x, y, |_, _| L::splat(x[3])), bits([x[3]; LANES]));
+        assert_eq!(each::<L>(x, y, |_, _| L::splat(x[3])), bits([x[3]; LINE]));
     }
     let x = &all[0];
-    assert_eq!(each::<L>(x, x, |_, _| L::zero()), bits([zero; LANES]));
-    assert_eq!(each::<L>(x, x, |_, _| L::number(0.1)), bits([L::Number::from_f64(0.1); LANES]));
-    for lane in 0..LANES {
+    assert_eq!(each::<L>(x, x, |_, _| L::zero()), bits([zero; LINE]));
+    assert_eq!(each::<L>(x, x, |_, _| L::number(0.1)), bits([L::Number::from_f64(0.1); LINE]));
+    for lane in 0..LINE {
         // a mask that holds in one lane alone
-        let one: [L::Number; LANES] = std::array::from_fn(|i| L::Number::from_f64(if i == lane { -1.0 } else { 1.0 }));
-        for part in 0..LANES / L::WIDTH {
+        let one: [L::Number; LINE] = std::array::from_fn(|i| L::Number::from_f64(if i == lane { -1.0 } else { 1.0 }));
+        for part in 0..LINE / L::WIDTH {
             let (there, mask) = (lane / L::WIDTH == part, L::load(&one, part).less(L::zero()));
             assert_eq!(L::any(mask), there);
         }
     }
-    for rows in all.chunks_exact(LANES) {
+    for rows in all.chunks_exact(LINE) {
         let row = |l: usize| -> [L::Number; ROW] { std::array::from_fn(|i| if i % 4 == 3 { zero } else { rows[l][i] }) };
         let columns = L::columns(|l| L::Row::read(&row(l)));
         for (i, column) in columns.into_iter().enumerate() {
-            let mut out = [zero; LANES];
+            let mut out = [zero; LINE];
             column.store(&mut out, 0);
             assert_eq!(bits(out)[..L::WIDTH], bits(std::array::from_fn(|l| if l < L::WIDTH { row(l)[i] } else { zero }))[..L::WIDTH]);
         }

@@ -7,8 +7,8 @@ use glam::{DMat3, DVec3};
 use super::springs::{KINDS, SPRINGS, ends, spring};
 use super::{PARTICLES, STRAIN_INERTIA, outer, place, sign, whole_moment};
 use crate::form::{Form, Loading, Motion, Push, Taken, lanes};
-use crate::kernel::{Geometry, Group, Lane, Row, cross, into_frame, load, load3, out_of_frame, put3, row, row_mut, store3, vector};
-use crate::lanes::{LANES, Lanes, ROW, Real, Row as _};
+use crate::kernel::{Group, Lane, Row, cross, into_frame, load, load3, out_of_frame, put3, row, row_mut, store3, vector};
+use crate::lanes::{Lanes, ROW, Real, Row as _};
 
 /// A block a lane. Lengths and velocities are in the world, from the pose at the last sync.
 #[derive(Debug, Clone, Copy)]
@@ -58,6 +58,11 @@ pub struct Moments<L> {
 
 impl<L: Lanes> Motion<L> for Straining<L> {
     type Wrench = Moments<L>;
+
+    #[inline(always)]
+    fn still() -> Self {
+        Self { v: [L::zero(); 3], along: [[L::zero(); 3]; 2] }
+    }
 
     #[inline(always)]
     fn no_force() -> Moments<L> {
@@ -162,25 +167,23 @@ impl<R: Real> Form<R> for Lattice<R> {
     }
 
     #[inline(always)]
-    fn relative<L: Lanes<Number = R>>(group: &Group<R>, part: usize, at: &Geometry<L>, velocity: &[Row<R>]) -> Straining<L> {
+    fn relative<L: Lanes<Number = R>>(group: &Group<R>, part: usize, velocity: &[Row<R>], motion: &mut Straining<L>) {
         let first = L::WIDTH * part;
         let d = L::columns(|l| L::Row::read(row(velocity, group.b[first + l])) - L::Row::read(row(velocity, group.a[first + l])));
         let next = ROW as u32;
         let e =
             L::columns(|l| L::Row::read(row(velocity, group.b[first + l] + next)) - L::Row::read(row(velocity, group.a[first + l] + next)));
-        let Geometry { arm, frame } = at;
+        let (arm, frame) = (&load3(&group.arm, part), &group.frame_of(part));
         let change = [[d[4], d[5], d[6]], [e[0], e[1], e[2]], [e[4], e[5], e[6]]];
         let [x, y, z] = out_of_frame(&change, arm);
-        Straining {
-            v: into_frame(frame, &[d[0] + x, d[1] + y, d[2] + z]),
-            along: [into_frame(frame, &out_of_frame(&change, &frame[1])), into_frame(frame, &out_of_frame(&change, &frame[2]))],
-        }
+        motion.v = into_frame(frame, &[d[0] + x, d[1] + y, d[2] + z]);
+        motion.along = [into_frame(frame, &out_of_frame(&change, &frame[1])), into_frame(frame, &out_of_frame(&change, &frame[2]))];
     }
 
     #[inline(always)]
-    fn react<L: Lanes<Number = R>>(group: &Group<R>, part: usize, at: &Geometry<L>, sum: &Moments<L>, force: &mut [Row<R>]) {
+    fn react<L: Lanes<Number = R>>(group: &Group<R>, part: usize, sum: &mut Moments<L>, force: &mut [Row<R>]) {
         let first = L::WIDTH * part;
-        let Geometry { arm, frame } = at;
+        let (arm, frame) = (&load3(&group.arm, part), &group.frame_of(part));
         let f = out_of_frame(frame, &sum.f);
         let m = [f, out_of_frame(frame, &sum.along[0]), out_of_frame(frame, &sum.along[1])];
         let zero = L::zero();
@@ -220,27 +223,25 @@ impl<R: Real> Form<R> for Lattice<R> {
     }
 
     #[inline(always)]
-    fn beyond<L: Lanes<Number = R>>(&self) -> bool {
+    fn beyond<L: Lanes<Number = R>>(&self, part: usize) -> bool {
         let length = |x: [L; 3]| (x[0] * x[0] + x[1] * x[1] + x[2] * x[2]).sqrt();
-        (0..LANES / L::WIDTH).any(|part| {
-            let mut u = [[L::zero(); 3]; PARTICLES];
-            for i in 0..PARTICLES {
-                u[i] = load3(&self.shift[i], part);
-            }
-            let (sum, along) = sums(&u);
-            // how far the ends of the axes have gone against the centre, over their length in the second
-            let (mut ends, mut turn) = (L::zero(), L::zero());
-            for k in 0..3 {
-                let start = load3::<L>(&self.start[k], part);
-                let way = length([along[k][0] - start[0], along[k][1] - start[1], along[k][2] - start[2]]);
-                ends += way;
-                turn += way * self::load(&self.inv_lever[k], part);
-            }
-            let travel = length(sum) * L::number(1.0 / PARTICLES as f64) + ends * self::load(&self.spread, part);
-            // a turn about one axis moves the ends of two
-            let turn = turn * L::number(0.5);
-            L::any(self::load::<L>(&self.travel_bound, part).less(travel)) || L::any(self::load::<L>(&self.turn_bound, part).less(turn))
-        })
+        let mut u = [[L::zero(); 3]; PARTICLES];
+        for i in 0..PARTICLES {
+            u[i] = load3(&self.shift[i], part);
+        }
+        let (sum, along) = sums(&u);
+        // how far the ends of the axes have gone against the centre, over their length in the second
+        let (mut ends, mut turn) = (L::zero(), L::zero());
+        for k in 0..3 {
+            let start = load3::<L>(&self.start[k], part);
+            let way = length([along[k][0] - start[0], along[k][1] - start[1], along[k][2] - start[2]]);
+            ends += way;
+            turn += way * self::load(&self.inv_lever[k], part);
+        }
+        let travel = length(sum) * L::number(1.0 / PARTICLES as f64) + ends * self::load(&self.spread, part);
+        // a turn about one axis moves the ends of two
+        let turn = turn * L::number(0.5);
+        L::any(self::load::<L>(&self.travel_bound, part).less(travel)) || L::any(self::load::<L>(&self.turn_bound, part).less(turn))
     }
 
     fn displacement(&self, l: usize) -> (DVec3, DVec3) {
