@@ -389,19 +389,19 @@ fn contacts<L: Lanes, F: Form<L::Number>>(
     velocity: &[Row<L::Number>],
     force: &mut [Row<L::Number>],
 ) {
-    for (group, parts) in groups.iter().zip(parts.chunks_exact_mut(LANES / L::WIDTH)) {
+    for (group, parts) in groups.iter().zip(&mut parts.chunks_exact_mut(LANES / L::WIDTH)) {
         for (i, part) in parts.iter_mut().enumerate() {
             if LANES == L::WIDTH || part.count > 0 {
                 F::relative::<L>(group, i, velocity, &mut part.motion);
             }
         }
     }
-    for (group, parts) in groups.iter_mut().zip(parts.chunks_exact_mut(LANES / L::WIDTH)) {
+    for (group, parts) in groups.iter_mut().zip(&mut parts.chunks_exact_mut(LANES / L::WIDTH)) {
         for (i, part) in parts.iter_mut().enumerate() {
             part.sum = springs(group, i, part.count, law, &part.motion);
         }
     }
-    for (group, parts) in groups.iter().zip(parts.chunks_exact_mut(LANES / L::WIDTH)) {
+    for (group, parts) in groups.iter().zip(&mut parts.chunks_exact_mut(LANES / L::WIDTH)) {
         for (i, part) in parts.iter_mut().enumerate() {
             if LANES == L::WIDTH || part.count > 0 {
                 F::react::<L>(group, i, &mut part.sum, force);
