@@ -37,8 +37,9 @@ pub trait Form<R: Real>: Clone + std::fmt::Debug + Send + Sync {
     /// Displacement (m) and turn (rad) of the body in lane `l` since its pose was made exact.
     fn displacement(&self, l: usize) -> (DVec3, DVec3);
 
-    /// The same laid out as its row of velocity; nothing of a body in which this and its shape are one, for there it lacks the last digits.
-    fn way(&self, l: usize) -> Option<Row<R>>;
+    /// What its points have done since then, laid out as its rows of velocity. Gives the largest of the numbers that they have done it from, m,
+    /// zero where all begin at zero: what rounding kept from being done is in proportion to that.
+    fn way(&self, l: usize, rows: &mut [Row<R>]) -> f64;
 
     /// Velocity of its centre and spin, m and rad per substep.
     fn motion(&self, l: usize) -> (DVec3, DVec3);

@@ -164,7 +164,7 @@ impl Cluster {
         let substeps = frame.setup.substeps;
         let whole = done == substeps && packing.since.iter().all(|&since| since == 0);
         with_kernel!(*kernel, |kernel| {
-            let ways = if whole { Ways::of(kernel, substeps) } else { None };
+            let ways = whole.then(|| Ways::of(kernel, substeps));
             packing.unload(kernel, contacts, moved, ways.as_ref());
         });
     }

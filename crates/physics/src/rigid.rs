@@ -211,9 +211,10 @@ impl<R: Real> Form<R> for Rigid<R> {
         (vector(&self.shift, l), vector(&self.turn, l))
     }
 
-    fn way(&self, l: usize) -> Option<Row<R>> {
+    fn way(&self, l: usize, rows: &mut [Row<R>]) -> f64 {
         let (shift, turn) = self.displacement(l);
-        Some(Row::of(shift - turn.cross(vector(&self.offset, l)), turn))
+        rows[0] = Row::of(shift - turn.cross(vector(&self.offset, l)), turn);
+        0.0
     }
 
     fn motion(&self, l: usize) -> (DVec3, DVec3) {

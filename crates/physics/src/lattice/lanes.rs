@@ -16,6 +16,8 @@ pub struct Lattice<R> {
     /// Displacements of the particles from their places in that pose, m, and velocities, m per substep.
     shift: [[Lane<R>; 3]; PARTICLES],
     velocity: [[Lane<R>; 3]; PARTICLES],
+    /// The displacements at the last sync, m.
+    first: [[Lane<R>; 3]; PARTICLES],
     /// Strain of each spring in the last substep, m².
     strain: [Lane<R>; SPRINGS],
     /// Edges between particles along the axes of the body, m.
@@ -98,6 +100,7 @@ impl<R: Real> Form<R> for Lattice<R> {
         Self {
             shift: [[zero; 3]; PARTICLES],
             velocity: [[zero; 3]; PARTICLES],
+            first: [[zero; 3]; PARTICLES],
             strain: [zero; SPRINGS],
             edge: [[zero; 3]; 3],
             stiffness: [zero; KINDS],
@@ -125,6 +128,7 @@ impl<R: Real> Form<R> for Lattice<R> {
             shift[i] = axes * particles.shift[i];
             rate[i] = if body.moves { particles.velocity[i] * h } else { DVec3::ZERO };
             put3(&mut self.shift[i], l, shift[i]);
+            put3(&mut self.first[i], l, shift[i]);
             put3(&mut self.velocity[i], l, rate[i]);
         }
         for (n, strain) in self.strain.iter_mut().enumerate() {
@@ -252,8 +256,16 @@ impl<R: Real> Form<R> for Lattice<R> {
         self.whole(l, &self.shift, start)
     }
 
-    fn way(&self, _: usize) -> Option<Row<R>> {
-        None
+    fn way(&self, l: usize, rows: &mut [Row<R>]) -> f64 {
+        let (mut center, mut change, mut largest) = (DVec3::ZERO, DMat3::ZERO, 0.0f64);
+        for (i, (now, first)) in self.shift.iter().zip(&self.first).enumerate() {
+            let way = vector(now, l) - vector(first, l);
+            center += way / PARTICLES as f64;
+            change += (0..3).map(|k| outer(way * sign(i, k), vector(&self.dual[k], l))).sum::<DMat3>();
+            largest = largest.max(vector(first, l).abs().max_element());
+        }
+        write_rows(rows, center - change * vector(&self.offset, l), &change);
+        largest
     }
 
     fn motion(&self, l: usize) -> (DVec3, DVec3) {
