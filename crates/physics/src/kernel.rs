@@ -381,6 +381,7 @@ impl<L: Lanes, M: Motion<L>> Part<L, M> {
 /// The contact law on some groups: velocities in, forces out, springs advanced.
 ///
 /// Each stage is done for all of them before the next is begun: its loop is short, and a processor looks ahead from one contact into others.
+/// Parts are lent to `zip`, or it would walk both by one index and multiply that at each step.
 #[inline(always)]
 fn contacts<L: Lanes, F: Form<L::Number>>(
     groups: &mut [Group<L::Number>],
