@@ -52,11 +52,11 @@ pub trait Form<R: Real>: Clone + std::fmt::Debug + Send + Sync {
 }
 
 /// How two bodies move against each other, along normal, tangent, tangent of a contact.
-pub trait Motion<L: Lanes>: Copy {
+pub trait Motion<L: Lanes> {
     /// Forces of points, summed.
-    type Wrench: Copy;
+    type Wrench;
 
-    /// None.
+    /// No motion.
     fn still() -> Self;
 
     /// The sum of none.

@@ -259,10 +259,11 @@ impl<R: Real> Form<R> for Lattice<R> {
     fn way(&self, l: usize, rows: &mut [Row<R>]) -> f64 {
         let (mut center, mut change, mut largest) = (DVec3::ZERO, DMat3::ZERO, 0.0f64);
         for (i, (now, first)) in self.shift.iter().zip(&self.first).enumerate() {
-            let way = vector(now, l) - vector(first, l);
+            let first = vector(first, l);
+            let way = vector(now, l) - first;
             center += way / PARTICLES as f64;
             change += (0..3).map(|k| outer(way * sign(i, k), vector(&self.dual[k], l))).sum::<DMat3>();
-            largest = largest.max(vector(first, l).abs().max_element());
+            largest = largest.max(first.abs().max_element());
         }
         write_rows(rows, center - change * vector(&self.offset, l), &change);
         largest
