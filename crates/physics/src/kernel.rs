@@ -6,7 +6,7 @@
 //! saves the multiplications by its length.
 //!
 //! Results are written where they are wanted one by one, as soon as they are reckoned: engines of WebAssembly load all that is needed up to
-//! the next write before they reckon anything, and put aside what their registers cannot hold.
+//! the next write before they reckon anything, and put aside what their registers cannot hold. See [`write_in_turn`].
 //!
 //! Arrays are written out here and not mapped: a closure given to `map` is not always put in its place, which costs ten times the
 //! time where wider registers are used than the program was built for.
@@ -312,6 +312,20 @@ pub fn row_mut<R>(rows: &mut [Row<R>], start: u32) -> &mut [R; ROW] {
     debug_assert!((start as usize).is_multiple_of(ROW) && (start as usize) < ROW * rows.len());
     // SAFETY: as for `row`.
     unsafe { &mut *rows.as_mut_ptr().cast::<R>().add(start as usize).cast() }
+}
+
+/// Writes before anything is written that comes later in the program.
+///
+/// For WebAssembly alone: there compilers otherwise move writes to other places past each other, and each moved write makes the engine hold more
+/// numbers at a time than it has registers.
+#[inline(always)]
+pub fn write_in_turn<T: Copy>(to: &mut T, x: T) {
+    if cfg!(target_arch = "wasm32") {
+        // SAFETY: a reference can be written to, and a copy has nothing to be dropped.
+        unsafe { std::ptr::write_volatile(to, x) }
+    } else {
+        *to = x;
+    }
 }
 
 #[inline(always)]

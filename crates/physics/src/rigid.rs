@@ -4,7 +4,7 @@ use glam::{DMat3, DVec3};
 
 use crate::body::world_tensor;
 use crate::form::{Form, Loading, Motion, Push, Taken, lanes};
-use crate::kernel::{Group, Lane, Row, add, cross, dot, load, load3, put3, row, row_mut, store3, vector};
+use crate::kernel::{Group, Lane, Row, add, cross, dot, load, load3, put3, row, row_mut, store3, vector, write_in_turn};
 use crate::lanes::{Lanes, Real, Row as _};
 
 /// A body a lane.
@@ -73,6 +73,33 @@ impl<L: Lanes> Motion<L> for Turning<L> {
     }
 }
 
+/// [`Form::react`] of a lane that has a register for itself: rows need no turning, and each number is added where it belongs as soon as it is
+/// reckoned.
+#[inline(always)]
+fn react_alone<L: Lanes>(group: &Group<L::Number>, lane: usize, sum: &mut Wrench<L>, force: &mut [Row<L::Number>]) {
+    let Wrench { mut f, m } = *sum;
+    let along = f;
+    for k in 0..3 {
+        let axes = [load(&group.frame[0][k], lane), load(&group.frame[1][k], lane), load(&group.frame[2][k], lane)];
+        f[k] = dot(&axes, &along);
+        let x = f[k].first();
+        let a = row_mut(force, group.a[lane]);
+        a[k] = a[k] - x;
+        let b = row_mut(force, group.b[lane]);
+        b[k] = b[k] + x;
+        write_in_turn(&mut sum.m[k], dot(&axes, &m));
+    }
+    for k in 0..3 {
+        let (i, j) = ((k + 1) % 3, (k + 2) % 3);
+        let turning = load::<L>(&group.arm[i], lane) * f[j] - load::<L>(&group.arm[j], lane) * f[i];
+        let x = (turning + sum.m[k]).first();
+        let a = row_mut(force, group.a[lane]);
+        a[k + 4] = a[k + 4] - x;
+        let b = row_mut(force, group.b[lane]);
+        b[k + 4] = b[k + 4] + x;
+    }
+}
+
 impl<R: Real> Form<R> for Rigid<R> {
     const ROWS: usize = 1;
     type Motion<L: Lanes<Number = R>> = Turning<L>;
@@ -122,17 +149,23 @@ impl<R: Real> Form<R> for Rigid<R> {
         // relative velocity at the reference point and relative spin, B over A; then at the centroid, along the frame
         let d = L::columns(|l| L::Row::read(row(velocity, group.b[first + l])) - L::Row::read(row(velocity, group.a[first + l])));
         let dw = [d[4], d[5], d[6]];
+        let normal = load3(&group.frame[0], part);
+        write_in_turn(&mut motion.w[0], dot(&normal, &dw));
         let turning = cross(&dw, &load3(&group.arm, part));
         let dv = [d[0] + turning[0], d[1] + turning[1], d[2] + turning[2]];
-        for (k, axis) in group.frame.iter().enumerate() {
-            let axis = load3(axis, part);
-            motion.v[k] = dot(&axis, &dv);
-            motion.w[k] = dot(&axis, &dw);
+        write_in_turn(&mut motion.v[0], dot(&normal, &dv));
+        for k in 1..3 {
+            let tangent = load3(&group.frame[k], part);
+            write_in_turn(&mut motion.w[k], dot(&tangent, &dw));
+            write_in_turn(&mut motion.v[k], dot(&tangent, &dv));
         }
     }
 
     #[inline(always)]
     fn react<L: Lanes<Number = R>>(group: &Group<R>, part: usize, sum: &mut Wrench<L>, force: &mut [Row<R>]) {
+        if L::WIDTH == 1 {
+            return react_alone(group, part, sum, force);
+        }
         let first = L::WIDTH * part;
         // one force and one moment about the reference point, equal and opposite on the two
         let Wrench { f, m } = *sum;
@@ -158,7 +191,7 @@ impl<R: Real> Form<R> for Rigid<R> {
     fn integrate<L: Lanes<Number = R>>(&mut self, part: usize, velocity: &mut [Row<R>], force: &mut [Row<R>], load: &[Row<R>]) {
         let f = L::columns(|l| L::Row::read(&force[l].0));
         for (to, from) in force.iter_mut().zip(load) {
-            L::Row::read(&from.0).write(&mut to.0);
+            *to = *from;
         }
         let ease = self::load::<L>(&self.ease, part);
         let mut v = load3::<L>(&self.velocity, part);

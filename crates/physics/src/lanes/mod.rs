@@ -129,6 +129,14 @@ pub trait Lanes:
     /// Whether the mask holds anywhere.
     fn any(mask: Self::Mask) -> bool;
 
+    /// The first lane.
+    #[inline(always)]
+    fn first(self) -> Self::Number {
+        let mut x = [Self::Number::default(); LANES];
+        self.store(&mut x, 0);
+        x[0]
+    }
+
     /// The number in all lanes, from f64.
     #[inline(always)]
     fn number(x: f64) -> Self {

@@ -7,7 +7,9 @@ use glam::{DMat3, DVec3};
 use super::springs::{KINDS, SPRINGS, ends, spring};
 use super::{PARTICLES, STRAIN_INERTIA, outer, place, sign, whole_moment};
 use crate::form::{Form, Loading, Motion, Push, Taken, lanes};
-use crate::kernel::{Group, Lane, Row, cross, into_frame, load, load3, out_of_frame, put3, row, row_mut, store3, vector};
+use crate::kernel::{
+    Group, Lane, Row, cross, dot, into_frame, load, load3, out_of_frame, put3, row, row_mut, store3, vector, write_in_turn,
+};
 use crate::lanes::{Lanes, ROW, Real, Row as _};
 
 /// A block a lane. Lengths and velocities are in the world, from the pose at the last sync.
@@ -177,11 +179,18 @@ impl<R: Real> Form<R> for Lattice<R> {
         let next = ROW as u32;
         let e =
             L::columns(|l| L::Row::read(row(velocity, group.b[first + l] + next)) - L::Row::read(row(velocity, group.a[first + l] + next)));
-        let (arm, frame) = (&load3(&group.arm, part), &group.frame_of(part));
         let change = [[d[4], d[5], d[6]], [e[0], e[1], e[2]], [e[4], e[5], e[6]]];
-        let [x, y, z] = out_of_frame(&change, arm);
-        motion.v = into_frame(frame, &[d[0] + x, d[1] + y, d[2] + z]);
-        motion.along = [into_frame(frame, &out_of_frame(&change, &frame[1])), into_frame(frame, &out_of_frame(&change, &frame[2]))];
+        for t in 0..2 {
+            let along = out_of_frame(&change, &load3(&group.frame[1 + t], part));
+            for k in 0..3 {
+                write_in_turn(&mut motion.along[t][k], dot(&load3(&group.frame[k], part), &along));
+            }
+        }
+        let [x, y, z] = out_of_frame(&change, &load3(&group.arm, part));
+        let v = [d[0] + x, d[1] + y, d[2] + z];
+        for k in 0..3 {
+            write_in_turn(&mut motion.v[k], dot(&load3(&group.frame[k], part), &v));
+        }
     }
 
     #[inline(always)]
@@ -205,7 +214,7 @@ impl<R: Real> Form<R> for Lattice<R> {
     fn integrate<L: Lanes<Number = R>>(&mut self, part: usize, velocity: &mut [Row<R>], force: &mut [Row<R>], load: &[Row<R>]) {
         let mut pulls = self.outside::<L>(part, force);
         for (to, from) in force.iter_mut().zip(load) {
-            L::Row::read(&from.0).write(&mut to.0);
+            *to = *from;
         }
         let mut v = [[L::zero(); 3]; PARTICLES];
         let mut u = [[L::zero(); 3]; PARTICLES];
