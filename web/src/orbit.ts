@@ -4,10 +4,15 @@ import { MathUtils, PerspectiveCamera, Vector3 } from 'three';
 
 const LOWEST = MathUtils.degToRad(1);
 const HIGHEST = MathUtils.degToRad(89);
+/** Least height of the point that is looked at, m. */
+const LOWEST_TARGET = 0.01;
 const NEAREST = 0.12;
 const FARTHEST = 4;
-/** Widest picture (px) in which controls are above and below the tower and not beside it, and the heights that they take (px). */
+/** Heights (px) that controls take above and below the tower: in the widest picture in which none is beside it; in the highest, of a phone on its
+ * side, in which those below reach the tower's foot; and in others. */
 const NARROW = { width: 620, above: 120, below: 150 };
+const LOW = { height: 480, above: 0, below: 80 };
+const WIDE = { above: 0, below: 0 };
 /** Time in which the camera makes up most of its lag, s. */
 const EASE = 0.07;
 
@@ -23,8 +28,9 @@ export class Orbit {
   private goal: View = { azimuth: -0.9, elevation: 0.35, distance: 1, height: 0.15 };
   private now: View = { ...this.goal };
   private top = 0.33;
-  /** Part of the picture's height that no control takes. */
+  /** Part of the picture's height that no control takes, and how far its middle is above that of the picture, over the height. */
   private free = 1;
+  private raised = 0;
 
   constructor(private readonly calm: boolean) {
     this.camera.up.set(0, 0, 1);
@@ -39,10 +45,17 @@ export class Orbit {
     return this.now.elevation;
   }
 
+  /** Fits a picture of `width` x `height` px. What is looked at stays as near as it was for the picture before, as when a phone is turned. */
   resize(width: number, height: number): void {
+    const before = this.fit();
     this.camera.aspect = width / height;
-    this.free = width > NARROW.width ? 1 : Math.max(0.4, 1 - (NARROW.above + NARROW.below) / height);
+    const { above, below } = width <= NARROW.width ? NARROW : height <= LOW.height ? LOW : WIDE;
+    this.free = Math.max(0.4, 1 - (above + below) / height);
+    this.raised = Math.min(0.2, (below - above) / 2 / height);
     this.camera.updateProjectionMatrix();
+    const after = this.fit();
+    this.zoom(after.distance / before.distance);
+    this.goal.height = Math.max(LOWEST_TARGET, this.goal.height + after.height - before.height);
   }
 
   /** Turns by a drag, px. */
@@ -63,26 +76,27 @@ export class Orbit {
   /** Moves the point that is looked at up or down by a drag, px of a picture `viewport` px high. */
   lift(dy: number, viewport: number): void {
     const span = 2 * this.goal.distance * Math.tan(MathUtils.degToRad(this.camera.fov / 2));
-    this.goal.height = MathUtils.clamp(this.goal.height + (dy / viewport) * span, 0.01, Math.max(0.2, this.top + 0.1));
+    this.goal.height = MathUtils.clamp(this.goal.height + (dy / viewport) * span, LOWEST_TARGET, Math.max(0.2, this.top + 0.1));
   }
 
   /** Looks at the whole of a tower of height `top`, m. */
   frame(top: number, azimuth?: number): void {
     this.top = top;
-    const tan = Math.tan(MathUtils.degToRad(this.camera.fov / 2));
-    // Room for a new row and for the hand above it, and for the panel beside it.
-    const tall = Math.max((top + 0.12) / 2, (top + 0.04) / 2 / this.free);
-    const wide = 0.13;
-    this.goal = {
-      azimuth: azimuth ?? this.goal.azimuth,
-      elevation: 0.36,
-      distance: Math.max(tall / tan, wide / (tan * this.camera.aspect)) * 1.12 + 0.06,
-      height: top / 2 + 0.005,
-    };
+    this.goal = { azimuth: azimuth ?? this.goal.azimuth, elevation: 0.36, ...this.fit() };
     if (azimuth !== undefined) {
       this.now = { ...this.goal };
       this.apply();
     }
+  }
+
+  /** From where the whole tower is seen, clear of the controls. */
+  private fit(): Pick<View, 'distance' | 'height'> {
+    const tan = Math.tan(MathUtils.degToRad(this.camera.fov / 2));
+    // Room for a new row and for the hand above it, and for the panel beside it.
+    const tall = Math.max((this.top + 0.12) / 2, (this.top + 0.04) / 2 / this.free);
+    const wide = 0.13;
+    const distance = Math.max(tall / tan, wide / (tan * this.camera.aspect)) * 1.12 + 0.06;
+    return { distance, height: Math.max(LOWEST_TARGET, this.top / 2 + 0.005 - this.raised * 2 * distance * tan) };
   }
 
   /** Stands still where it is: a held block must not be led by the camera. */
