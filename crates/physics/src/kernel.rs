@@ -91,6 +91,20 @@ impl<R: Real> Group<R> {
         [load3(&self.frame[0], part), load3(&self.frame[1], part), load3(&self.frame[2], part)]
     }
 
+    /// What normal and tangents have along axis `k` of the world, of a part.
+    #[inline(always)]
+    pub fn axes_along<L: Lanes<Number = R>>(&self, k: usize, part: usize) -> [L; 3] {
+        [load(&self.frame[0][k], part), load(&self.frame[1][k], part), load(&self.frame[2][k], part)]
+    }
+
+    /// Writes the components of a vector along normal and tangents, of a part.
+    #[inline(always)]
+    pub fn resolve<L: Lanes<Number = R>>(&self, part: usize, v: &[L; 3], to: &mut [L; 3]) {
+        for (axis, to) in self.frame.iter().zip(to) {
+            write_in_turn(to, dot(&load3(axis, part), v));
+        }
+    }
+
     /// Makes lane `l` an open contact of the floor with itself.
     pub fn open(&mut self, l: usize, floor: u32) {
         (self.a[l], self.b[l], self.counts[l]) = (floor, floor, 0);

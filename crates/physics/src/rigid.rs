@@ -73,30 +73,32 @@ impl<L: Lanes> Motion<L> for Turning<L> {
     }
 }
 
+/// Adds a number at place `k` of the rows to the force on B and takes it from that on A.
+#[inline(always)]
+fn add_at<R: Real>(force: &mut [Row<R>], [a, b]: [u32; 2], k: usize, x: R) {
+    let a = row_mut(force, a);
+    a[k] = a[k] - x;
+    let b = row_mut(force, b);
+    b[k] = b[k] + x;
+}
+
 /// [`Form::react`] of a lane that has a register for itself: rows need no turning, and each number is added where it belongs as soon as it is
 /// reckoned.
 #[inline(always)]
 fn react_alone<L: Lanes>(group: &Group<L::Number>, lane: usize, sum: &mut Wrench<L>, force: &mut [Row<L::Number>]) {
+    let bodies = [group.a[lane], group.b[lane]];
     let Wrench { mut f, m } = *sum;
     let along = f;
-    for k in 0..3 {
-        let axes = [load(&group.frame[0][k], lane), load(&group.frame[1][k], lane), load(&group.frame[2][k], lane)];
-        f[k] = dot(&axes, &along);
-        let x = f[k].first();
-        let a = row_mut(force, group.a[lane]);
-        a[k] = a[k] - x;
-        let b = row_mut(force, group.b[lane]);
-        b[k] = b[k] + x;
+    for (k, f) in f.iter_mut().enumerate() {
+        let axes = group.axes_along::<L>(k, lane);
+        *f = dot(&axes, &along);
+        add_at(force, bodies, k, f.first());
         write_in_turn(&mut sum.m[k], dot(&axes, &m));
     }
     for k in 0..3 {
         let (i, j) = ((k + 1) % 3, (k + 2) % 3);
         let turning = load::<L>(&group.arm[i], lane) * f[j] - load::<L>(&group.arm[j], lane) * f[i];
-        let x = (turning + sum.m[k]).first();
-        let a = row_mut(force, group.a[lane]);
-        a[k + 4] = a[k + 4] - x;
-        let b = row_mut(force, group.b[lane]);
-        b[k + 4] = b[k + 4] + x;
+        add_at(force, bodies, 4 + k, (turning + sum.m[k]).first());
     }
 }
 
@@ -149,15 +151,12 @@ impl<R: Real> Form<R> for Rigid<R> {
         // relative velocity at the reference point and relative spin, B over A; then at the centroid, along the frame
         let d = L::columns(|l| L::Row::read(row(velocity, group.b[first + l])) - L::Row::read(row(velocity, group.a[first + l])));
         let dw = [d[4], d[5], d[6]];
-        let normal = load3(&group.frame[0], part);
-        write_in_turn(&mut motion.w[0], dot(&normal, &dw));
         let turning = cross(&dw, &load3(&group.arm, part));
         let dv = [d[0] + turning[0], d[1] + turning[1], d[2] + turning[2]];
-        write_in_turn(&mut motion.v[0], dot(&normal, &dv));
-        for k in 1..3 {
-            let tangent = load3(&group.frame[k], part);
-            write_in_turn(&mut motion.w[k], dot(&tangent, &dw));
-            write_in_turn(&mut motion.v[k], dot(&tangent, &dv));
+        for (k, axis) in group.frame.iter().enumerate() {
+            let axis = load3(axis, part);
+            write_in_turn(&mut motion.w[k], dot(&axis, &dw));
+            write_in_turn(&mut motion.v[k], dot(&axis, &dv));
         }
     }
 
@@ -170,7 +169,7 @@ impl<R: Real> Form<R> for Rigid<R> {
         // one force and one moment about the reference point, equal and opposite on the two
         let Wrench { f, m } = *sum;
         for k in 0..3 {
-            let axes = [load(&group.frame[0][k], part), load(&group.frame[1][k], part), load(&group.frame[2][k], part)];
+            let axes = group.axes_along::<L>(k, part);
             sum.f[k] = dot(&axes, &f);
             sum.m[k] = dot(&axes, &m);
         }
@@ -190,6 +189,7 @@ impl<R: Real> Form<R> for Rigid<R> {
     #[inline(always)]
     fn integrate<L: Lanes<Number = R>>(&mut self, part: usize, velocity: &mut [Row<R>], force: &mut [Row<R>], load: &[Row<R>]) {
         let f = L::columns(|l| L::Row::read(&force[l].0));
+        // row by row: the slice at once would be a call where registers hold four numbers, which takes 4 % longer
         for (to, from) in force.iter_mut().zip(load) {
             *to = *from;
         }

@@ -66,7 +66,8 @@ fn agrees<L: Lanes>() {
         for part in 0..LINE / L::WIDTH {
             let lanes = L::WIDTH * part..L::WIDTH * (part + 1);
             let any = L::any(L::load(x, part).less(L::load(y, part)));
-            assert_eq!(any, lanes.into_iter().any(|i| x[i] < y[i]));
+            assert_eq!(any, lanes.clone().any(|i| x[i] < y[i]));
+            assert_eq!(bits([L::load(x, part).first(); LINE]), bits([x[lanes.start]; LINE]));
         }
         assert_eq!(each::<L>(x, y, |_, _| L::splat(x[3])), bits([x[3]; LINE]));
     }

@@ -7,9 +7,7 @@ use glam::{DMat3, DVec3};
 use super::springs::{KINDS, SPRINGS, ends, spring};
 use super::{PARTICLES, STRAIN_INERTIA, outer, place, sign, whole_moment};
 use crate::form::{Form, Loading, Motion, Push, Taken, lanes};
-use crate::kernel::{
-    Group, Lane, Row, cross, dot, into_frame, load, load3, out_of_frame, put3, row, row_mut, store3, vector, write_in_turn,
-};
+use crate::kernel::{Group, Lane, Row, cross, into_frame, load, load3, out_of_frame, put3, row, row_mut, store3, vector};
 use crate::lanes::{Lanes, ROW, Real, Row as _};
 
 /// A block a lane. Lengths and velocities are in the world, from the pose at the last sync.
@@ -180,17 +178,11 @@ impl<R: Real> Form<R> for Lattice<R> {
         let e =
             L::columns(|l| L::Row::read(row(velocity, group.b[first + l] + next)) - L::Row::read(row(velocity, group.a[first + l] + next)));
         let change = [[d[4], d[5], d[6]], [e[0], e[1], e[2]], [e[4], e[5], e[6]]];
-        for t in 0..2 {
-            let along = out_of_frame(&change, &load3(&group.frame[1 + t], part));
-            for k in 0..3 {
-                write_in_turn(&mut motion.along[t][k], dot(&load3(&group.frame[k], part), &along));
-            }
+        for (to, tangent) in motion.along.iter_mut().zip(&group.frame[1..]) {
+            group.resolve(part, &out_of_frame(&change, &load3(tangent, part)), to);
         }
         let [x, y, z] = out_of_frame(&change, &load3(&group.arm, part));
-        let v = [d[0] + x, d[1] + y, d[2] + z];
-        for k in 0..3 {
-            write_in_turn(&mut motion.v[k], dot(&load3(&group.frame[k], part), &v));
-        }
+        group.resolve(part, &[d[0] + x, d[1] + y, d[2] + z], &mut motion.v);
     }
 
     #[inline(always)]
