@@ -8,10 +8,11 @@ const HIGHEST = MathUtils.degToRad(89);
 const LOWEST_TARGET = 0.01;
 const NEAREST = 0.12;
 const FARTHEST = 4;
-/** Heights (px) that controls take above and below the tower: in the widest picture in which none is beside it; in the highest, of a phone on its
- * side, in which those below reach the tower's foot; and in others. */
+/** Heights (px) that controls take above and below the tower, in pictures at most so wide, in which none is beside it. */
 const NARROW = { width: 620, above: 120, below: 150 };
+/** The same in pictures at most so high, of a phone on its side. */
 const LOW = { height: 480, above: 0, below: 80 };
+/** In others they stay clear of it. */
 const WIDE = { above: 0, below: 0 };
 /** Time in which the camera makes up most of its lag, s. */
 const EASE = 0.07;
@@ -55,7 +56,7 @@ export class Orbit {
     this.camera.updateProjectionMatrix();
     const after = this.fit();
     this.zoom(after.distance / before.distance);
-    this.goal.height = Math.max(LOWEST_TARGET, this.goal.height + after.height - before.height);
+    this.goal.height = Math.max(LOWEST_TARGET, this.goal.height + (after.height - before.height));
   }
 
   /** Turns by a drag, px. */
@@ -75,8 +76,8 @@ export class Orbit {
 
   /** Moves the point that is looked at up or down by a drag, px of a picture `viewport` px high. */
   lift(dy: number, viewport: number): void {
-    const span = 2 * this.goal.distance * Math.tan(MathUtils.degToRad(this.camera.fov / 2));
-    this.goal.height = MathUtils.clamp(this.goal.height + (dy / viewport) * span, LOWEST_TARGET, Math.max(0.2, this.top + 0.1));
+    const way = (dy / viewport) * this.span(this.goal.distance);
+    this.goal.height = MathUtils.clamp(this.goal.height + way, LOWEST_TARGET, Math.max(0.2, this.top + 0.1));
   }
 
   /** Looks at the whole of a tower of height `top`, m. */
@@ -91,12 +92,11 @@ export class Orbit {
 
   /** From where the whole tower is seen, clear of the controls. */
   private fit(): Pick<View, 'distance' | 'height'> {
-    const tan = Math.tan(MathUtils.degToRad(this.camera.fov / 2));
     // Room for a new row and for the hand above it, and for the panel beside it.
-    const tall = Math.max((this.top + 0.12) / 2, (this.top + 0.04) / 2 / this.free);
-    const wide = 0.13;
-    const distance = Math.max(tall / tan, wide / (tan * this.camera.aspect)) * 1.12 + 0.06;
-    return { distance, height: Math.max(LOWEST_TARGET, this.top / 2 + 0.005 - this.raised * 2 * distance * tan) };
+    const tall = Math.max(this.top + 0.12, (this.top + 0.04) / this.free);
+    const wide = 0.26;
+    const distance = (Math.max(tall, wide / this.camera.aspect) / this.span(1)) * 1.12 + 0.06;
+    return { distance, height: Math.max(LOWEST_TARGET, this.top / 2 + 0.005 - this.raised * this.span(distance)) };
   }
 
   /** Stands still where it is: a held block must not be led by the camera. */
@@ -132,7 +132,12 @@ export class Orbit {
   /** Pixels per metre at the depth of `point`, in a picture `height` px high. */
   scaleAt(point: Vector3, height: number): number {
     const depth = point.clone().sub(this.camera.position).dot(this.forward());
-    return height / (2 * Math.max(depth, 0.02) * Math.tan(MathUtils.degToRad(this.camera.fov / 2)));
+    return height / this.span(Math.max(depth, 0.02));
+  }
+
+  /** What a picture shows from top to bottom at a depth, m. */
+  private span(depth: number): number {
+    return 2 * depth * Math.tan(MathUtils.degToRad(this.camera.fov / 2));
   }
 
   forward(): Vector3 {
