@@ -27,7 +27,10 @@ export default defineConfig({
           hookTimeout: 60_000,
         },
       },
-      { extends: true, test: { name: 'speed', include: ['tests/speed/*.speed.ts'], environment: 'node', testTimeout: 60_000 } },
+      {
+        extends: true,
+        test: { name: 'speed', include: ['tests/speed/*.speed.ts'], environment: 'node', testTimeout: 60_000 },
+      },
     ],
   },
 });

@@ -133,7 +133,8 @@ export class Bodies {
   /** Height of the highest point, m. */
   top(): number {
     let top = 0;
-    for (let body = 0; body < this.count; body++) top = Math.max(top, this.position(body).z + this.halfExtent(body, new Vector3(0, 0, 1)));
+    for (let body = 0; body < this.count; body++)
+      top = Math.max(top, this.position(body).z + this.halfExtent(body, new Vector3(0, 0, 1)));
     return top;
   }
 

@@ -63,7 +63,10 @@ function mayMeet({ shown, sizes }: Bodies, body: number, origin: Vector3, direct
 }
 
 function inside(bodies: Bodies, body: number, point: Vector3): boolean {
-  const local = point.clone().sub(bodies.position(body, bodies.newest)).applyMatrix3(bodies.axes(body, bodies.newest).invert());
+  const local = point
+    .clone()
+    .sub(bodies.position(body, bodies.newest))
+    .applyMatrix3(bodies.axes(body, bodies.newest).invert());
   const size = bodies.size(body);
   return Math.abs(local.x) < size.x / 2 && Math.abs(local.y) < size.y / 2 && Math.abs(local.z) < size.z / 2;
 }

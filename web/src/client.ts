@@ -1,6 +1,18 @@
 // The page's end of the worker.
 
-import type { Answer, Built, Form, Frame, FromWorker, Question, SceneEntry, Setup, ToWorker, Wish, XRay } from './protocol';
+import type {
+  Answer,
+  Built,
+  Form,
+  Frame,
+  FromWorker,
+  Question,
+  SceneEntry,
+  Setup,
+  ToWorker,
+  Wish,
+  XRay,
+} from './protocol';
 
 export interface Listener<F extends Frame> {
   scenes(list: SceneEntry[]): void;

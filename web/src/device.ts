@@ -113,7 +113,13 @@ export class Device {
   }
 
   private holdsSprings(blocks: number, { stiffness, springs }: Wanted): boolean {
-    return holds('lattice', this.cost('lattice'), blocks, stiffness ?? LEAST_WITH_SPRINGS, springs ?? stiffness ?? LEAST_WITH_SPRINGS);
+    return holds(
+      'lattice',
+      this.cost('lattice'),
+      blocks,
+      stiffness ?? LEAST_WITH_SPRINGS,
+      springs ?? stiffness ?? LEAST_WITH_SPRINGS,
+    );
   }
 
   private cost(form: Form): number {
@@ -133,7 +139,8 @@ export class Device {
     this.recent.push(cost);
     if (this.recent.length < JUDGED) return;
     const median = this.recent.sort((a, b) => a - b)[JUDGED / 2];
-    if (median > FRAME) this.shown[form] = Math.max(this.shown[form], median / (HEADROOM[form] * load(blocks, stiffness, springs)));
+    if (median > FRAME)
+      this.shown[form] = Math.max(this.shown[form], median / (HEADROOM[form] * load(blocks, stiffness, springs)));
     this.recent.length = 0;
   }
 }

@@ -33,7 +33,13 @@ function effective({ screen, towards }: Lever, scale: number): ScreenVector {
  * Way along and across a block for a drag of (dx, dy) pixels. `scale`: px per metre of a motion that faces the viewer.
  * Least squares on the screen, with sideways motion made dear.
  */
-export function slideWay(dx: number, dy: number, along: Lever, across: Lever, scale: number): { along: number; across: number } {
+export function slideWay(
+  dx: number,
+  dy: number,
+  along: Lever,
+  across: Lever,
+  scale: number,
+): { along: number; across: number } {
   const u = effective(along, scale);
   const s = effective(across, scale);
   const uu = u.x * u.x + u.y * u.y;

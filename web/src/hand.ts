@@ -355,7 +355,12 @@ export class Hand {
 
   private waypoint(hold: Hold, slot: Slot) {
     const { bodies } = this;
-    return approach(bodies.position(hold.body, bodies.newest), bodies.turn(hold.body, bodies.newest), slot, hold.placing);
+    return approach(
+      bodies.position(hold.body, bodies.newest),
+      bodies.turn(hold.body, bodies.newest),
+      slot,
+      hold.placing,
+    );
   }
 
   private tell(): void {
@@ -385,7 +390,12 @@ export class Hand {
       const column = columnUnder(this.slots, this.bodies.size(hold.body));
       const towards = this.orbit.forward().negate().setZ(0).normalize();
       if (column)
-        wish.target = keepClear(hold.wish.clone().sub(arm), this.bodies.position(hold.body, this.bodies.newest), towards, column)
+        wish.target = keepClear(
+          hold.wish.clone().sub(arm),
+          this.bodies.position(hold.body, this.bodies.newest),
+          towards,
+          column,
+        )
           .add(arm)
           .toArray();
     }
@@ -410,7 +420,9 @@ export class Hand {
 
   private keepAboveTable(hold: Hold): void {
     const lowest =
-      hold.wish.z - hold.anchor.clone().applyQuaternion(hold.orientation!).z - this.bodies.halfExtent(hold.body, UP, this.bodies.newest);
+      hold.wish.z -
+      hold.anchor.clone().applyQuaternion(hold.orientation!).z -
+      this.bodies.halfExtent(hold.body, UP, this.bodies.newest);
     if (lowest < 0) hold.wish.z -= lowest;
   }
 
@@ -419,7 +431,10 @@ export class Hand {
     const step = 0.005;
     const a = this.orbit.project(point, width, height);
     const b = this.orbit.project(point.clone().addScaledVector(direction, step), width, height);
-    return { screen: { x: (b.x - a.x) / step, y: (b.y - a.y) / step }, towards: -direction.dot(this.orbit.forward().setZ(0).normalize()) };
+    return {
+      screen: { x: (b.x - a.x) / step, y: (b.y - a.y) / step },
+      towards: -direction.dot(this.orbit.forward().setZ(0).normalize()),
+    };
   }
 }
 

@@ -65,7 +65,8 @@ export class Labels {
     this.element.hidden = labels === null;
     this.shown = this.cramped = 0;
     while (this.spans.length > this.labels.length) this.spans.pop()!.remove();
-    while (this.spans.length < this.labels.length) this.spans.push(this.element.appendChild(document.createElement('span')));
+    while (this.spans.length < this.labels.length)
+      this.spans.push(this.element.appendChild(document.createElement('span')));
     this.labels.forEach((label, body) => {
       this.spans[body].textContent = label?.text ?? '';
       this.spans[body].className = [label?.dark ? 'dark' : '', label?.marked ? 'marked' : ''].join(' ').trim();
@@ -77,7 +78,13 @@ export class Labels {
   }
 
   /** Puts the labels where their blocks are, at a wall time (s). `moved`: blocks or camera have moved. */
-  follow(bodies: Bodies, orbit: Orbit, { width, height }: { width: number; height: number }, moved: boolean, now: number): void {
+  follow(
+    bodies: Bodies,
+    orbit: Orbit,
+    { width, height }: { width: number; height: number },
+    moved: boolean,
+    now: number,
+  ): void {
     if (this.labels.length !== bodies.count) return;
     if (moved) this.stale = true;
     if (!this.stale) return;

@@ -30,7 +30,12 @@ export function unstrained(count: number): Float32Array {
  * How bodies are strained, from their particles: R⁻¹ F with F = Σ p_i s_ik / (8 g_k) for particle i at p_i, on side s_ik of axis k, at g_k
  * from the centre. `place`: g over half the edge.
  */
-export function strains(lattices: Float32Array, poses: ArrayLike<number>, sizes: ArrayLike<number>, place: number): Float32Array {
+export function strains(
+  lattices: Float32Array,
+  poses: ArrayLike<number>,
+  sizes: ArrayLike<number>,
+  place: number,
+): Float32Array {
   const count = sizes.length / 3;
   const all = new Float32Array(STRAIN_STRIDE * count);
   for (let body = 0; body < count; body++) {
@@ -78,7 +83,8 @@ export function farthest(strains: Float32Array, sizes: ArrayLike<number>): numbe
 /** The greatest force of any spring, either way, N. */
 export function greatest(lattices: Float32Array): number {
   let most = 0;
-  for (let at = 0; at < lattices.length; at++) if (at % LATTICE_STRIDE >= 3 * PARTICLES) most = Math.max(most, Math.abs(lattices[at]));
+  for (let at = 0; at < lattices.length; at++)
+    if (at % LATTICE_STRIDE >= 3 * PARTICLES) most = Math.max(most, Math.abs(lattices[at]));
   return most;
 }
 

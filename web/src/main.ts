@@ -33,7 +33,9 @@ const READOUT = 0.25;
 
 function start(): void {
   if (typeof WebAssembly !== 'object')
-    return trouble('This browser cannot run WebAssembly, in which the physics is written. A current version of any browser can.');
+    return trouble(
+      'This browser cannot run WebAssembly, in which the physics is written. A current version of any browser can.',
+    );
   if (typeof Worker !== 'function')
     return trouble('This browser allows no workers, in which the physics runs. A current version of any browser does.');
   const canvas = document.getElementById('picture') as HTMLCanvasElement;
@@ -207,7 +209,9 @@ function start(): void {
     const colours = known?.map(({ pull }) => (pull === null ? channels(NO_COLOUR) : colourOf(pull))) ?? null;
     view.stain(colours, next ? STAIN.known : STAIN.past);
     const written = next?.map(reading =>
-      reading.pull === null ? null : { text: forceText(reading.pull), dark: isDark(reading.pull), marked: isLoose(reading) },
+      reading.pull === null
+        ? null
+        : { text: forceText(reading.pull), dark: isDark(reading.pull), marked: isLoose(reading) },
     );
     labels.set(written ?? null);
     xray = next;
@@ -359,7 +363,12 @@ function start(): void {
       return { springs: watching, shown: view.springsShown, scale: forces.end };
     },
     get xray() {
-      return { on: xraying, pulls: xray?.map(r => r.pull) ?? null, loads: xray?.map(r => r.load) ?? null, shown: labels.shown };
+      return {
+        on: xraying,
+        pulls: xray?.map(r => r.pull) ?? null,
+        loads: xray?.map(r => r.load) ?? null,
+        shown: labels.shown,
+      };
     },
     get quality() {
       return quality.tier.name;
@@ -377,7 +386,15 @@ function start(): void {
       const hold = hand.hold;
       if (!hold) return null;
       const { body, grip, force, capped, placing } = hold;
-      return { body, grip, force, capped, placing, slot: hold.slot?.position.toArray() ?? null, holders: hand.holders()?.bodies ?? [] };
+      return {
+        body,
+        grip,
+        force,
+        capped,
+        placing,
+        slot: hold.slot?.position.toArray() ?? null,
+        holders: hand.holders()?.bodies ?? [],
+      };
     },
     get slots() {
       return hand.slots.map(s => s.position.toArray());

@@ -78,7 +78,8 @@ export class Marks {
 
   /** Shows the state; whether the picture changes. */
   show(bodies: Bodies, state: MarkState): boolean {
-    const free = (body: number | null) => (body !== null && body !== state.held && !state.holders.includes(body) ? body : null);
+    const free = (body: number | null) =>
+      body !== null && body !== state.held && !state.holders.includes(body) ? body : null;
     this.outline(this.held, bodies, state.held);
     this.outline(this.hovered, bodies, free(state.hovered));
     this.outline(this.selected, bodies, free(state.selected));
@@ -90,7 +91,8 @@ export class Marks {
       const chosen = state.chosen !== null && slot.position.distanceTo(state.chosen.position) < 1e-3;
       (ghost.box.material as MeshBasicMaterial).opacity = chosen ? 0.42 : 0.14;
       ghost.outline.material.linewidth = chosen ? 3.5 : 1.8;
-      for (const mark of [ghost.box, ghost.outline]) mark.matrix.compose(slot.position, slot.orientation, state.slotSize!);
+      for (const mark of [ghost.box, ghost.outline])
+        mark.matrix.compose(slot.position, slot.orientation, state.slotSize!);
     });
     const shown = JSON.stringify([
       state.hovered,

@@ -57,7 +57,9 @@ export class Occlusion {
     const across = columns(map.clone().invert().transpose());
     const lengths = across.map(axis => axis.length());
     const reach = (k: number) =>
-      half.x * Math.abs(axes[0].getComponent(k)) + half.y * Math.abs(axes[1].getComponent(k)) + half.z * Math.abs(axes[2].getComponent(k));
+      half.x * Math.abs(axes[0].getComponent(k)) +
+      half.y * Math.abs(axes[1].getComponent(k)) +
+      half.z * Math.abs(axes[2].getComponent(k));
     const from = (k: number) => Math.max(0, Math.floor((centre.getComponent(k) - reach(k)) / CELL - 0.5));
     const to = (k: number, n: number) => Math.min(n - 1, Math.ceil((centre.getComponent(k) + reach(k)) / CELL));
     const [x1, y1, z1] = [to(0, nx), to(1, ny), to(2, nz)];

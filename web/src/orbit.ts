@@ -126,7 +126,10 @@ export class Orbit {
 
   /** Direction from the camera through a point of the screen. */
   ray(x: number, y: number, width: number, height: number): Vector3 {
-    return new Vector3((2 * x) / width - 1, 1 - (2 * y) / height, 0.5).unproject(this.camera).sub(this.camera.position).normalize();
+    return new Vector3((2 * x) / width - 1, 1 - (2 * y) / height, 0.5)
+      .unproject(this.camera)
+      .sub(this.camera.position)
+      .normalize();
   }
 
   /** Pixels per metre at the depth of `point`, in a picture `height` px high. */
@@ -147,7 +150,11 @@ export class Orbit {
   private apply(): void {
     const { azimuth, elevation, distance, height } = this.now;
     const flat = distance * Math.cos(elevation);
-    this.camera.position.set(flat * Math.cos(azimuth), flat * Math.sin(azimuth), Math.max(0.012, height + distance * Math.sin(elevation)));
+    this.camera.position.set(
+      flat * Math.cos(azimuth),
+      flat * Math.sin(azimuth),
+      Math.max(0.012, height + distance * Math.sin(elevation)),
+    );
     this.camera.lookAt(0, 0, height);
     this.camera.updateMatrixWorld();
   }

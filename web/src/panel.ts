@@ -102,7 +102,12 @@ export class Panel {
 
   private source(): SceneSource {
     if (this.scene.value) return { kind: 'named', name: this.scene.value };
-    return { kind: 'tower', rows: Number(this.rows.value), seed: this.seedValue(), block: this.block.value as BlockPreset };
+    return {
+      kind: 'tower',
+      rows: Number(this.rows.value),
+      seed: this.seedValue(),
+      block: this.block.value as BlockPreset,
+    };
   }
 
   private chosenForm(): Form | null {
@@ -156,7 +161,10 @@ export class Panel {
 
   show(r: Readouts): void {
     const words = { standing: 'Standing', moving: 'Moving', fallen: 'Fallen', paused: 'Paused' };
-    put('state', r.state === 'fallen' ? `${r.fallen} of ${r.blocks} blocks fell` : `${words[r.state]} · ${r.blocks} blocks`);
+    put(
+      'state',
+      r.state === 'fallen' ? `${r.fallen} of ${r.blocks} blocks fell` : `${words[r.state]} · ${r.blocks} blocks`,
+    );
     put('fps', `${r.fps.toFixed(0)} fps`);
     const slow = r.state !== 'paused' && r.factor < SLOW;
     put('factor', slow ? `slow motion ${r.factor.toFixed(2)}×` : `real time ${r.factor.toFixed(2)}×`);
@@ -234,7 +242,8 @@ export class Panel {
 
   /** Those that the device chooses from, and the one that the address names. */
   private setStiffnesses(named: number | null): void {
-    const all = named === null || STIFFNESSES.includes(named) ? STIFFNESSES : [...STIFFNESSES, named].sort((a, b) => a - b);
+    const all =
+      named === null || STIFFNESSES.includes(named) ? STIFFNESSES : [...STIFFNESSES, named].sort((a, b) => a - b);
     this.stiffness.append(...all.map(k => new Option(newtonsPerMillimetre(k), String(k))));
     this.stiffness.value = named === null ? '' : String(named);
   }

@@ -65,7 +65,13 @@ export class Pointers {
     if (document.activeElement instanceof HTMLElement) document.activeElement.blur();
     this.canvas.setPointerCapture(event.pointerId);
     this.hovered = null;
-    this.pointers.set(event.pointerId, { role: this.roleOf(event), x: event.offsetX, y: event.offsetY, way: 0, began: event.timeStamp });
+    this.pointers.set(event.pointerId, {
+      role: this.roleOf(event),
+      x: event.offsetX,
+      y: event.offsetY,
+      way: 0,
+      began: event.timeStamp,
+    });
     this.dress();
   }
 

@@ -11,7 +11,8 @@ export const FRAME = 1 / 60;
 export type BlockPreset = 'dissertation' | 'official';
 
 /** What to build a world from. */
-export type SceneSource = { kind: 'tower'; rows: number; seed: number; block: BlockPreset } | { kind: 'named'; name: string };
+export type SceneSource =
+  { kind: 'tower'; rows: number; seed: number; block: BlockPreset } | { kind: 'named'; name: string };
 
 /** What blocks are: rigid, or particles held together by springs. */
 export type Form = 'rigid' | 'lattice';

@@ -70,7 +70,13 @@ export class Ring {
 }
 
 /** What the ring shows of a hand that holds or pokes a block, from what was last `told` of it; `canvas` is what the picture fills. */
-export function ringOf(hand: Hand, told: HandState | null, bodies: Bodies, orbit: Orbit, canvas: HTMLElement): RingState | null {
+export function ringOf(
+  hand: Hand,
+  told: HandState | null,
+  bodies: Bodies,
+  orbit: Orbit,
+  canvas: HTMLElement,
+): RingState | null {
   const hold = hand.hold;
   if (!told || (!hold && hand.poking === null)) return null;
   const { clientWidth: width, clientHeight: height } = canvas;
@@ -81,7 +87,11 @@ export function ringOf(hand: Hand, told: HandState | null, bodies: Bodies, orbit
   const at = orbit.project(point, width, height);
   const scale = orbit.scaleAt(point, height);
   const step = 0.004;
-  const tip = orbit.project(point.clone().addScaledVector(pull.clone().normalize(), pull.length() > 1e-6 ? step : 0), width, height);
+  const tip = orbit.project(
+    point.clone().addScaledVector(pull.clone().normalize(), pull.length() > 1e-6 ? step : 0),
+    width,
+    height,
+  );
   const reach = (ARROW * pull.length()) / (scale * step);
   const stuck = hand.holders();
   return {

@@ -4,7 +4,16 @@ import { Glide } from './glide';
 import { grasped, sameGrasp } from './grasp';
 import { farthest, LATTICE_STRIDE, strains } from './lattice';
 import { Leash } from './leash';
-import { FRAME, POSE_STRIDE, type Contact, type Form, type HandState, type SceneSource, type Vec, type Wish } from './protocol';
+import {
+  FRAME,
+  POSE_STRIDE,
+  type Contact,
+  type Form,
+  type HandState,
+  type SceneSource,
+  type Vec,
+  type Wish,
+} from './protocol';
 import { length } from './vectors';
 import { Simulation, namedScene, towerScene } from './wasm/teeter_wasm.js';
 
@@ -183,7 +192,10 @@ export class Simulator {
 
   step(): Step {
     const blocks = this.glide.next();
-    if (blocks) this.simulation.setForm(JSON.stringify({ form: blocks.form, springs: { ...this.springs, stiffness: blocks.springs } }));
+    if (blocks)
+      this.simulation.setForm(
+        JSON.stringify({ form: blocks.form, springs: { ...this.springs, stiffness: blocks.springs } }),
+      );
     const wish = this.wish;
     if (!wish) return this.finish('', null);
     const { point, orientation } = grasped(this.view(), wish);

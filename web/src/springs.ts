@@ -129,8 +129,16 @@ export class SpringsView {
     pullColour: { value: new Color() },
     beadColour: { value: new Color() },
   };
-  private readonly rodMaterial = new ShaderMaterial({ uniforms: this.uniforms, vertexShader: rodVertex, fragmentShader: rodFragment });
-  private readonly beadMaterial = new ShaderMaterial({ uniforms: this.uniforms, vertexShader: beadVertex, fragmentShader: beadFragment });
+  private readonly rodMaterial = new ShaderMaterial({
+    uniforms: this.uniforms,
+    vertexShader: rodVertex,
+    fragmentShader: rodFragment,
+  });
+  private readonly beadMaterial = new ShaderMaterial({
+    uniforms: this.uniforms,
+    vertexShader: beadVertex,
+    fragmentShader: beadFragment,
+  });
   private rods = new Mesh(new InstancedBufferGeometry(), this.rodMaterial);
   private beads = new Points(new BufferGeometry(), this.beadMaterial);
   private bodies = 0;

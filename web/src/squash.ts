@@ -13,7 +13,8 @@ const ROW = 0.5;
  */
 export function squash(bodies: Bodies, heights: ArrayLike<number>): Float64Array | null {
   if (!bodies.strained) return null;
-  const loss = (body: number) => 2 * (bodies.halfExtentUnstrained(body, UP) - bodies.halfExtent(body, UP, bodies.newest));
+  const loss = (body: number) =>
+    2 * (bodies.halfExtentUnstrained(body, UP) - bodies.halfExtent(body, UP, bodies.newest));
   const order = Array.from({ length: bodies.count }, (_, body) => body).sort((a, b) => heights[a] - heights[b]);
   const sunk = new Float64Array(bodies.count);
   let beneath = 0;

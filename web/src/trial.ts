@@ -11,7 +11,11 @@ const LEAD = 4;
 /** Cost of the trial's frame with blocks of a form on this device, s, by the clock `now`, s. */
 export function trial(form: Form, now: () => number): number {
   const { rows, stiffness } = TRIAL;
-  const scene = sceneText({ kind: 'tower', rows, seed: 1, block: 'dissertation' }, () => ({ form, stiffness, springs: null }));
+  const scene = sceneText({ kind: 'tower', rows, seed: 1, block: 'dissertation' }, () => ({
+    form,
+    stiffness,
+    springs: null,
+  }));
   const simulation = new Simulation(scene, JSON.stringify({ sleep: false, frame: FRAME }));
   try {
     for (let i = 0; i < LEAD; i++) simulation.step('');

@@ -25,7 +25,13 @@ export class Verdict {
   }
 
   /** Takes in a state; `held` is the block in the hand, `sunk` by how much strain lets each block be lower (m): that is no fall. */
-  judge(poses: Float32Array, time: number, maxSpeed: number, held: number | null, sunk: ArrayLike<number> | null = null): State {
+  judge(
+    poses: Float32Array,
+    time: number,
+    maxSpeed: number,
+    held: number | null,
+    sunk: ArrayLike<number> | null = null,
+  ): State {
     if (held !== null) this.care[held] = time + CARE;
     for (let body = 0; body < this.heights.length; body++) {
       const height = poses[body * POSE_STRIDE + 2] + (sunk?.[body] ?? 0);

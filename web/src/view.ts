@@ -70,7 +70,12 @@ export class View {
     private readonly orbit: Orbit,
     private readonly scale: number,
   ) {
-    this.renderer = new WebGLRenderer({ canvas, antialias: scale >= 1, alpha: true, powerPreference: 'high-performance' });
+    this.renderer = new WebGLRenderer({
+      canvas,
+      antialias: scale >= 1,
+      alpha: true,
+      powerPreference: 'high-performance',
+    });
     this.renderer.toneMapping = NeutralToneMapping;
     this.renderer.toneMappingExposure = 1.0;
     this.renderer.shadowMap.enabled = true;
@@ -80,7 +85,15 @@ export class View {
     this.sun.shadow.bias = -0.0002;
     this.sun.shadow.normalBias = 0.0009;
     this.sun.shadow.intensity = SHADOW.wood;
-    this.scene.add(this.sun, this.sun.target, this.sky, this.table.mesh, this.marks.group, this.glass.edges, this.springs.group);
+    this.scene.add(
+      this.sun,
+      this.sun.target,
+      this.sky,
+      this.table.mesh,
+      this.marks.group,
+      this.glass.edges,
+      this.springs.group,
+    );
     this.setDark(false);
   }
 

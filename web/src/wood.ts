@@ -43,7 +43,8 @@ export function chamferedBox(size: Vector3, chamfer = CHAMFER): BufferGeometry {
       }
     }
   }
-  for (const x of signs) for (const y of signs) for (const z of signs) polygon([0, 1, 2].map(k => corner([x, y, z], k)));
+  for (const x of signs)
+    for (const y of signs) for (const z of signs) polygon([0, 1, 2].map(k => corner([x, y, z], k)));
 
   const position = new Float32Array(triangles.length * 9);
   const normals = new Float32Array(triangles.length * 9);
@@ -128,7 +129,11 @@ export interface WoodMaterial {
 export function woodMaterial(span: ShadowSpan): WoodMaterial {
   const material = new MeshStandardMaterial({ roughness: 0.6, metalness: 0, dithering: true });
   material.defines = { ...material.defines, SKY_DIRECTIONS: 7, ...shadowDefines(7) };
-  const uniforms: Record<string, { value: unknown }> = { skyMap: { value: null }, skyOrigin: { value: null }, skyExtent: { value: null } };
+  const uniforms: Record<string, { value: unknown }> = {
+    skyMap: { value: null },
+    skyOrigin: { value: null },
+    skyExtent: { value: null },
+  };
   material.onBeforeCompile = shader => {
     Object.assign(shader.uniforms, uniforms);
     soften(shader, span);

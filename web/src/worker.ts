@@ -48,7 +48,8 @@ function step(simulator: Simulator): void {
   const { report, hand } = last;
   const { form, springStiffness: springs } = simulator;
   // The forces in the contacts are known after every step: to sum them is next to nothing beside it.
-  if (stillness.advance({ speed: report.max_speed, held: hand !== null, form, springs }, () => simulator.xray())) showXRay(simulator);
+  if (stillness.advance({ speed: report.max_speed, held: hand !== null, form, springs }, () => simulator.xray()))
+    showXRay(simulator);
 }
 
 function showXRay(simulator: Simulator): void {

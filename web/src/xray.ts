@@ -15,7 +15,18 @@ export const TICKS = [0.1, 0.3, 1, 3, 10];
 const LEANING = 0.1;
 
 /** From loose to tight: viridis from its end, whose lightness falls evenly whatever one's colour vision. */
-const RAMP = ['#fde725', '#b5de2b', '#6ece58', '#35b779', '#1f9e89', '#26828e', '#31688e', '#3e4989', '#482878', '#440154'];
+const RAMP = [
+  '#fde725',
+  '#b5de2b',
+  '#6ece58',
+  '#35b779',
+  '#1f9e89',
+  '#26828e',
+  '#31688e',
+  '#3e4989',
+  '#482878',
+  '#440154',
+];
 /** Of blocks to which it does not apply. */
 export const NO_COLOUR = '#8b857e';
 /** Place on the scale from which a block is dark enough for light figures. */
@@ -75,7 +86,9 @@ export function isLoose({ pull }: Reading): boolean {
 function lies(bodies: Bodies, body: number): boolean {
   const turn = bodies.turn(body, bodies.newest);
   const size = bodies.size(body);
-  const heights = [new Vector3(1, 0, 0), new Vector3(0, 1, 0), new Vector3(0, 0, 1)].map(axis => Math.abs(axis.applyQuaternion(turn).z));
+  const heights = [new Vector3(1, 0, 0), new Vector3(0, 1, 0), new Vector3(0, 0, 1)].map(axis =>
+    Math.abs(axis.applyQuaternion(turn).z),
+  );
   const long = size.x >= size.y ? (size.x >= size.z ? 0 : 2) : size.y >= size.z ? 1 : 2;
   return heights[long] < LEANING && heights.filter((_, k) => k !== long).some(height => height < LEANING);
 }

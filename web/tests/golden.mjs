@@ -32,6 +32,7 @@ export async function play(build) {
 
 if (process.argv[1] === fileURLToPath(import.meta.url)) {
   for (const build of Object.keys(BUILDS)) {
-    for (const { name, step_of_rest, hash } of await play(build)) console.log(`wasm, ${build}\t${name}\t${step_of_rest ?? '-'}\t${hash}`);
+    for (const { name, step_of_rest, hash } of await play(build))
+      console.log(`wasm, ${build}\t${name}\t${step_of_rest ?? '-'}\t${hash}`);
   }
 }

@@ -17,7 +17,13 @@ for (const build of Object.keys(BUILDS)) {
 test('a workload that is measured plays the golden run, each time', async () => {
   const face = await load('simd128');
   const { hash } = (await golden()).find(run => run.name === 'rest');
-  const clocked = new Clocked(face, { scene: JSON.parse(face.namedScene('tower')), params: {}, inputs: [], settle: 100, frames: 20 });
+  const clocked = new Clocked(face, {
+    scene: JSON.parse(face.namedScene('tower')),
+    params: {},
+    inputs: [],
+    settle: 100,
+    frames: 20,
+  });
   for (let i = 0; i < 2; i++) {
     const stretch = clocked.play();
     assert.equal(stretch.hash, hash);

@@ -17,7 +17,10 @@ const message = action => {
     action();
   } catch (error) {
     assert.ok(error instanceof Error, `an Error, not ${error}`);
-    assert.ok(error.message.length > 0 && !error.message.includes('\n'), `one line, not ${JSON.stringify(error.message)}`);
+    assert.ok(
+      error.message.length > 0 && !error.message.includes('\n'),
+      `one line, not ${JSON.stringify(error.message)}`,
+    );
     return error.message;
   }
   assert.fail('no error');
@@ -170,7 +173,9 @@ test('the X-ray tells loads that add up and as many loose blocks as the study na
     assert.ok(Math.abs(borne - above) < 1e-3 * (above + 1), `row ${row} bears ${borne} of ${above} N`);
   }
   // A loose block is held by its own weight alone.
-  pulls.forEach((pull, i) => loads[i] === 0 && assert.ok(Math.abs(pull / (0.4 * weights[i]) - 1) < 0.02, `block ${i}: ${pull} N`));
+  pulls.forEach(
+    (pull, i) => loads[i] === 0 && assert.ok(Math.abs(pull / (0.4 * weights[i]) - 1) < 0.02, `block ${i}: ${pull} N`),
+  );
 });
 
 const lattices = simulation => {
@@ -214,7 +219,9 @@ test('particles lie in their block, and its springs carry what is above it', () 
   assert.equal(told.length, 52 * 18);
   const at = poses(simulation);
   for (let body = 0; body < 18; body++) {
-    const centre = [0, 1, 2].map(k => Array.from({ length: 8 }, (_, i) => told[52 * body + 3 * i + k]).reduce((a, b) => a + b) / 8);
+    const centre = [0, 1, 2].map(
+      k => Array.from({ length: 8 }, (_, i) => told[52 * body + 3 * i + k]).reduce((a, b) => a + b) / 8,
+    );
     centre.forEach((x, k) => assert.ok(Math.abs(x - at[7 * body + k]) < 1e-6, `centre of block ${body}`));
   }
   // What the springs of a row press down with: the vertical part of each that joins a lower to an upper particle.

@@ -25,7 +25,11 @@ fn workloads() -> Result<Vec<Workload>, Fault> {
 fn bench(c: &mut Criterion) {
     one_thread().expect("nothing has asked for threads yet");
     let mut group = c.benchmark_group("frame");
-    group.sample_size(10).sampling_mode(SamplingMode::Flat).warm_up_time(Duration::from_secs(1)).measurement_time(Duration::from_secs(4));
+    group
+        .sample_size(10)
+        .sampling_mode(SamplingMode::Flat)
+        .warm_up_time(Duration::from_secs(1))
+        .measurement_time(Duration::from_secs(4));
     for workload in workloads().expect("every workload can be built") {
         let Workload { name, frames, .. } = &workload;
         let mut clocked = Clocked::new(&workload).expect("every workload settles");
@@ -33,7 +37,9 @@ fn bench(c: &mut Criterion) {
         println!("{name}: after {frames} frames {}", play().hash);
         // the mean frame, without the time in which the state is taken back
         let mut frame = || play().frames.iter().sum::<f64>() / *frames as f64;
-        group.bench_function(name, |b| b.iter_custom(|times| Duration::from_secs_f64(1e-3 * (0..times).map(|_| frame()).sum::<f64>())));
+        group.bench_function(name, |b| {
+            b.iter_custom(|times| Duration::from_secs_f64(1e-3 * (0..times).map(|_| frame()).sum::<f64>()))
+        });
     }
     group.finish();
 }

@@ -82,17 +82,31 @@ pub fn compare(baseline: Option<&Baseline>, now: &[Count], compiler: &str, left_
     let same_compiler = baseline.is_some_and(|b| b.compiler == compiler);
     let before = baseline.map_or(&[][..], |b| &b.counts);
     if let Some(baseline) = baseline.filter(|_| !same_compiler) {
-        notes.push(format!("counted with {compiler}, the baseline with {}: no count is held against it", baseline.compiler));
+        notes.push(format!(
+            "counted with {compiler}, the baseline with {}: no count is held against it",
+            baseline.compiler
+        ));
     }
-    let mut table = format!("{:36}{:>18}{:>14}{:>10}{:>12}  state\n", "instructions", "accepted a frame", "a frame", "change", "a substep");
+    let mut table = format!(
+        "{:36}{:>18}{:>14}{:>10}{:>12}  state\n",
+        "instructions", "accepted a frame", "a frame", "change", "a substep"
+    );
     for count in now {
         let old = before.iter().find(|old| old.name == count.name && old.frames == count.frames);
         let growth = old.map(|old| count.instructions as f64 / old.instructions as f64 - 1.0);
         let per_frame = |c: &Count| grouped(c.instructions / u64::from(c.frames.max(1)));
         let fields = (old.map_or("-".into(), per_frame), growth.map_or("-".into(), |g| format!("{:+.2} %", 100.0 * g)));
         let per_substep = count.instructions.checked_div(u64::from(count.substeps)).map_or("-".into(), grouped);
-        writeln!(table, "{:36}{:>18}{:>14}{:>10}{per_substep:>12}  {}", count.name, fields.0, per_frame(count), fields.1, count.hash)
-            .expect("a string takes all");
+        writeln!(
+            table,
+            "{:36}{:>18}{:>14}{:>10}{per_substep:>12}  {}",
+            count.name,
+            fields.0,
+            per_frame(count),
+            fields.1,
+            count.hash
+        )
+        .expect("a string takes all");
         match (old, growth) {
             (Some(old), Some(growth)) => {
                 if old.hash != count.hash {
@@ -180,10 +194,16 @@ mod tests {
     fn what_is_new_or_gone_has_to_be_accepted() {
         assert!(faults(&[count("a", 1), count("b", 1), count("c", 1)], "rustc 1", &[])[0].starts_with("c: is not in"));
         assert!(faults(&[count("a", 1)], "rustc 1", &[])[0].starts_with("b: is in"));
-        assert!(faults(&[count("a", 1)], "rustc 1", &["b".into()]).is_empty(), "but for what the processor cannot play");
+        assert!(
+            faults(&[count("a", 1)], "rustc 1", &["b".into()]).is_empty(),
+            "but for what the processor cannot play"
+        );
         assert_eq!(compare(None, &[count("a", 1)], "rustc 1", &[]).faults.len(), 1);
         let longer = Count { frames: 20, ..count("a", 20_000) };
-        assert!(faults(&[longer, count("b", 1)], "rustc 1", &[])[0].starts_with("a: is not in"), "nor is one of another length");
+        assert!(
+            faults(&[longer, count("b", 1)], "rustc 1", &[])[0].starts_with("a: is not in"),
+            "nor is one of another length"
+        );
     }
 
     #[test]

@@ -76,7 +76,14 @@ impl Workload {
     /// Never, for the scene is on the list.
     pub fn asleep() -> Result<Self, Fault> {
         let scene = teeter_scene::named("tower").ok_or("there is no tower in the list of scenes")?;
-        Ok(Self { name: "asleep".into(), scene, params: Params::default(), inputs: Vec::new(), settle: SETTLE, frames: 600 })
+        Ok(Self {
+            name: "asleep".into(),
+            scene,
+            params: Params::default(),
+            inputs: Vec::new(),
+            settle: SETTLE,
+            frames: 600,
+        })
     }
 
     /// A golden run from frame `settle` on, to its end.
@@ -85,7 +92,10 @@ impl Workload {
     /// When there is no such run or its files cannot be read.
     pub fn golden(name: &str, settle: usize) -> Result<Self, Fault> {
         let dir = Path::new(concat!(env!("CARGO_MANIFEST_DIR"), "/../../data/golden"));
-        let run = runs(dir)?.into_iter().find(|run| run.name == name).ok_or_else(|| format!("there is no golden run called {name}"))?;
+        let run = runs(dir)?
+            .into_iter()
+            .find(|run| run.name == name)
+            .ok_or_else(|| format!("there is no golden run called {name}"))?;
         let frames = run.inputs.len() - settle;
         Ok(Self { name: name.into(), scene: run.scene, params: run.params, inputs: run.inputs, settle, frames })
     }
@@ -137,7 +147,8 @@ impl Workload {
 /// When there is no tower of so many rows.
 pub fn swept(name: &str, rows: u32, driven: std::ops::Range<u32>, speed: f64) -> Result<Workload, Fault> {
     let scene = tower(&TowerOptions { rows, ..TowerOptions::default() }).map_err(|e| e.to_string())?;
-    let drive = |body| Drive { body, velocity: DVec3::new(speed, 0.25 * speed, 0.0), max_force: Drive::default_force() };
+    let drive =
+        |body| Drive { body, velocity: DVec3::new(speed, 0.25 * speed, 0.0), max_force: Drive::default_force() };
     let mut inputs = vec![Input::default(); SWEEP.0];
     let drives = (3 * driven.start..3 * driven.end).map(drive).collect();
     inputs.resize(SWEEP.0 + SWEEP.1, Input { drives, ..Input::default() });

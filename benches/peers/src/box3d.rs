@@ -121,7 +121,11 @@ impl Engine for Box3d {
             // SAFETY: world and body live
             unsafe {
                 if let Some(pull) = pull {
-                    b3::b3Body_ApplyForceToCenter(self.bodies[pull.body], vector(pull.at(i, steps) * scale.powi(4)), true);
+                    b3::b3Body_ApplyForceToCenter(
+                        self.bodies[pull.body],
+                        vector(pull.at(i, steps) * scale.powi(4)),
+                        true,
+                    );
                 }
                 b3::b3World_Step(self.world, (FRAME / steps as f64) as f32, substeps);
             }

@@ -74,11 +74,23 @@ impl Entry {
 
 /// Everything that is measured, in the order of the table.
 pub fn entries() -> Vec<Entry> {
-    let teeter =
-        crate::teeter::SETTINGS.iter().map(|s| Entry { engine: "Teeter", setting: s.name, details: s.details(), build: Build::Teeter(*s) });
-    let rapier =
-        crate::rapier::SETTINGS.iter().map(|s| Entry { engine: "Rapier", setting: s.name, details: s.details(), build: Build::Rapier(*s) });
-    let box3d =
-        crate::box3d::SETTINGS.iter().map(|s| Entry { engine: "Box3D", setting: s.name, details: s.details(), build: Build::Box3d(*s) });
+    let teeter = crate::teeter::SETTINGS.iter().map(|s| Entry {
+        engine: "Teeter",
+        setting: s.name,
+        details: s.details(),
+        build: Build::Teeter(*s),
+    });
+    let rapier = crate::rapier::SETTINGS.iter().map(|s| Entry {
+        engine: "Rapier",
+        setting: s.name,
+        details: s.details(),
+        build: Build::Rapier(*s),
+    });
+    let box3d = crate::box3d::SETTINGS.iter().map(|s| Entry {
+        engine: "Box3D",
+        setting: s.name,
+        details: s.details(),
+        build: Build::Box3d(*s),
+    });
     teeter.chain(rapier).chain(box3d).collect()
 }

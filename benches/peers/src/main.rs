@@ -1,5 +1,9 @@
 //! Teeter, Rapier and Box3D on the same tower in one process: what each costs, and what it sees of the 0.1 mm that make blocks loose or tight.
-#![allow(clippy::disallowed_methods, clippy::disallowed_types, reason = "a bench measures time; its sums need not be the same everywhere")]
+#![allow(
+    clippy::disallowed_methods,
+    clippy::disallowed_types,
+    reason = "a bench measures time; its sums need not be the same everywhere"
+)]
 
 mod box3d;
 mod clock;
@@ -85,7 +89,11 @@ fn run(args: &Args) -> Result<(), String> {
     println!("{}", report.markdown());
     if let Some(folder) = &args.docs {
         let page = folder.join("performance.md");
-        write(&page, &with_table(&read(&page)?, &report.markdown()).ok_or(format!("{} has no place for the table", page.display()))?)?;
+        write(
+            &page,
+            &with_table(&read(&page)?, &report.markdown())
+                .ok_or(format!("{} has no place for the table", page.display()))?,
+        )?;
         write(&folder.join("performance.svg"), &plot::svg(&report))?;
     }
     Ok(())
@@ -102,7 +110,11 @@ fn measure(args: &Args) -> Result<Report, String> {
     let rigid = Rigid::new(&scene).map_err(|e| e.to_string())?;
     let blocks = sample(args.blocks, scene.blocks.len());
     eprintln!("exact answers");
-    let sought: Vec<measure::Sought> = blocks.iter().map(|&block| measure::Sought::new(block, &rigid)).collect::<Result<_, _>>().map_err(|e| e.to_string())?;
+    let sought: Vec<measure::Sought> = blocks
+        .iter()
+        .map(|&block| measure::Sought::new(block, &rigid))
+        .collect::<Result<_, _>>()
+        .map_err(|e| e.to_string())?;
     let mut results = measure::rest_and_cost(&entries, &scene, args.seconds, rigid.top().map_err(|e| e.to_string())?);
     for (entry, result) in entries.iter().zip(&mut results) {
         eprintln!("{}: column and pulls", entry.name());
@@ -120,7 +132,8 @@ fn sample(n: usize, blocks: usize) -> Vec<usize> {
         return (0..n).collect();
     }
     let rows = blocks / 3 - 1;
-    let mut all: Vec<usize> = (0..n).map(|i| if n <= rows { 3 * (i * rows / n) + i % 3 } else { i * 3 * rows / n }).collect();
+    let mut all: Vec<usize> =
+        (0..n).map(|i| if n <= rows { 3 * (i * rows / n) + i % 3 } else { i * 3 * rows / n }).collect();
     all.dedup();
     all
 }

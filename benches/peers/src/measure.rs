@@ -62,7 +62,8 @@ pub fn rest_and_cost(entries: &[Entry], scene: &Scene, seconds: usize, rigid_top
             let start = thread_seconds();
             run(it.engine.as_mut(), 1.0);
             it.costs.push(1e3 * (thread_seconds() - start));
-            let moved = centers(it.engine.as_ref(), scene).into_iter().zip(&it.settled).map(|(now, then)| now.distance(*then));
+            let moved =
+                centers(it.engine.as_ref(), scene).into_iter().zip(&it.settled).map(|(now, then)| now.distance(*then));
             it.creep = moved.fold(it.creep, f64::max);
         }
         eprintln!("second {} of {rounds} timed", round + 1);

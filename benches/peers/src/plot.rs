@@ -62,7 +62,9 @@ pub fn svg(report: &Report) -> String {
     let y = Axis::around(shown.iter().map(|p| p.2), bottom, top);
     let mut text = String::new();
     let mut line = |s: String| writeln!(text, "{s}").expect("a string takes everything");
-    line(format!("<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {WIDTH} {HEIGHT}\" role=\"img\" aria-labelledby=\"title\">"));
+    line(format!(
+        "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {WIDTH} {HEIGHT}\" role=\"img\" aria-labelledby=\"title\">"
+    ));
     line(format!("<title id=\"title\">Cost against error of {} settings of three engines</title>", shown.len()));
     line(format!("<style>{STYLE}\n</style>"));
     line(format!("<rect class=\"ground\" width=\"{WIDTH}\" height=\"{HEIGHT}\"/>"));
@@ -78,9 +80,17 @@ pub fn svg(report: &Report) -> String {
     for t in ticks(y.low, y.high) {
         let at = y.place(t);
         line(format!("<line class=\"grid\" x1=\"{left}\" y1=\"{at:.1}\" x2=\"{right}\" y2=\"{at:.1}\"/>"));
-        line(format!("<text class=\"faint\" x=\"{}\" y=\"{:.1}\" text-anchor=\"end\">{t}</text>", left - 8.0, at + 4.0));
+        line(format!(
+            "<text class=\"faint\" x=\"{}\" y=\"{:.1}\" text-anchor=\"end\">{t}</text>",
+            left - 8.0,
+            at + 4.0
+        ));
     }
-    line(format!("<rect class=\"frame\" x=\"{left}\" y=\"{top}\" width=\"{}\" height=\"{}\"/>", right - left, bottom - top));
+    line(format!(
+        "<rect class=\"frame\" x=\"{left}\" y=\"{top}\" width=\"{}\" height=\"{}\"/>",
+        right - left,
+        bottom - top
+    ));
     line(format!(
         "<text x=\"{}\" y=\"{}\" text-anchor=\"middle\">CPU time of one thread, ms per simulated second</text>",
         (left + right) / 2.0,
@@ -110,14 +120,20 @@ pub fn svg(report: &Report) -> String {
             [px - length / 2.0, py - 26.0, px + length / 2.0, py - 10.0],
             [px - length / 2.0, py + 10.0, px + length / 2.0, py + 26.0],
         ];
-        let free = |b: &&[f64; 4]| b[0] > left && b[2] < right && b[1] > top && b[3] < bottom && !taken.iter().any(|t| meet(b, t));
+        let free = |b: &&[f64; 4]| {
+            b[0] > left && b[2] < right && b[1] > top && b[3] < bottom && !taken.iter().any(|t| meet(b, t))
+        };
         let place = *boxes.iter().find(free).unwrap_or(&boxes[0]);
         line(format!("<text x=\"{:.1}\" y=\"{:.1}\">{name}</text>", place[0], place[3] - 3.0));
         taken.push(place);
     }
     let fallen: Vec<String> = report.results.iter().filter(|r| !r.stands).map(Result::name).collect();
     if !fallen.is_empty() {
-        line(format!("<text class=\"faint\" x=\"{left}\" y=\"{}\">not shown, the tower fell: {}</text>", HEIGHT - 8.0, fallen.join(", ")));
+        line(format!(
+            "<text class=\"faint\" x=\"{left}\" y=\"{}\">not shown, the tower fell: {}</text>",
+            HEIGHT - 8.0,
+            fallen.join(", ")
+        ));
     }
     line("</svg>".into());
     text
@@ -136,7 +152,11 @@ fn mark(engine: &str, x: f64, y: f64, hollow: bool) -> String {
     let fill = if hollow { " style=\"fill: none; stroke-width: 2\"" } else { "" };
     match engine {
         "Teeter" => format!("<circle class=\"{engine}\" cx=\"{x:.1}\" cy=\"{y:.1}\" r=\"5.5\"{fill}/>"),
-        "Rapier" => format!("<rect class=\"{engine}\" x=\"{:.1}\" y=\"{:.1}\" width=\"10\" height=\"10\"{fill}/>", x - 5.0, y - 5.0),
+        "Rapier" => format!(
+            "<rect class=\"{engine}\" x=\"{:.1}\" y=\"{:.1}\" width=\"10\" height=\"10\"{fill}/>",
+            x - 5.0,
+            y - 5.0
+        ),
         _ => format!("<path class=\"{engine}\" d=\"M{:.1} {:.1}l6.5 11h-13z\"{fill}/>", x, y - 7.0),
     }
 }

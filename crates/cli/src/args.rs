@@ -4,7 +4,9 @@ use std::path::PathBuf;
 
 use clap::{Args, Parser, Subcommand, ValueEnum};
 use teeter_physics::{Params, Precision};
-use teeter_scene::{BlockPreset, Form, MAX_ROWS, Particles, SPRING_STIFFNESS, STIFFNESS, Scene, Springs, WOOD_RESTITUTION, WOOD_SPRINGS};
+use teeter_scene::{
+    BlockPreset, Form, MAX_ROWS, Particles, SPRING_STIFFNESS, STIFFNESS, Scene, Springs, WOOD_RESTITUTION, WOOD_SPRINGS,
+};
 
 use crate::validate::Topic;
 
@@ -164,7 +166,12 @@ impl Material {
             particles: self.particles.unwrap_or(scene.springs.particles),
             ..scene.springs
         };
-        Scene { stiffness: self.stiffness.unwrap_or(scene.stiffness), form: self.form.unwrap_or(scene.form), springs, ..scene }
+        Scene {
+            stiffness: self.stiffness.unwrap_or(scene.stiffness),
+            form: self.form.unwrap_or(scene.form),
+            springs,
+            ..scene
+        }
     }
 }
 

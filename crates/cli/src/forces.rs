@@ -26,12 +26,25 @@ pub fn main(args: Forces) -> Result<(), Fault> {
         let [id, ahead, back, straight, turning, tipping, load] = cells;
         output::line(&format!("{id:>5} {ahead:>10} {back:>10} {straight:>10} {turning:>10} {tipping:>10} {load:>10}"))
     };
-    output::line(&format!("{}: forces in N; - is none below {} N, or no exact answer", scene.name, teeter_study::STRONGEST))?;
+    output::line(&format!(
+        "{}: forces in N; - is none below {} N, or no exact answer",
+        scene.name,
+        teeter_study::STRONGEST
+    ))?;
     row(["block", "forward", "backward", "straight", "turning", "tipping", "load"].map(Into::into))?;
     for b in &blocks {
-        let (straight, turning, tipping) = (b.exact.map(|e| e.straight_n), b.exact.map(|e| e.turning_n), b.exact.and_then(|e| e.tipping_n));
+        let (straight, turning, tipping) =
+            (b.exact.map(|e| e.straight_n), b.exact.map(|e| e.turning_n), b.exact.and_then(|e| e.tipping_n));
         let [ahead, back] = b.both().map(newtons);
-        row([b.id.to_string(), ahead, back, newtons(straight), newtons(turning), newtons(tipping), newtons(Some(b.load.above_n))])?;
+        row([
+            b.id.to_string(),
+            ahead,
+            back,
+            newtons(straight),
+            newtons(turning),
+            newtons(tipping),
+            newtons(Some(b.load.above_n)),
+        ])?;
     }
     Ok(())
 }

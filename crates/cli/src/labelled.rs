@@ -61,7 +61,10 @@ pub fn read(path: &Path) -> Result<Vec<Labelled>, Fault> {
             return Err(at(&SceneError::TooLarge { limit_mb: MAX_BYTES / 1_000_000 }));
         }
         if total > MAX_TOTAL {
-            return Err(Fault::at(&source.name, format!("more than {} MB unpacked, the most that is read", MAX_TOTAL / 1_000_000)));
+            return Err(Fault::at(
+                &source.name,
+                format!("more than {} MB unpacked, the most that is read", MAX_TOTAL / 1_000_000),
+            ));
         }
         let text = std::str::from_utf8(&bytes).map_err(|e| at(&SceneError::NotUtf8(e.valid_up_to())))?;
         if text.trim().is_empty() {

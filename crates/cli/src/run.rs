@@ -106,7 +106,12 @@ fn print(scene: &Scene, r: &Report) -> Result<(), Fault> {
         ids if ids.len() == count => format!("all {count} blocks fell"),
         ids => {
             let some: Vec<String> = ids.iter().take(10).map(u32::to_string).collect();
-            format!("{} of {count} blocks fell: {}{}", ids.len(), some.join(", "), if ids.len() > 10 { ", ..." } else { "" })
+            format!(
+                "{} of {count} blocks fell: {}{}",
+                ids.len(),
+                some.join(", "),
+                if ids.len() > 10 { ", ..." } else { "" }
+            )
         }
     };
     let weight: f64 = scene.blocks.iter().map(|b| b.mass * scene.gravity).sum();

@@ -14,11 +14,13 @@ pub fn main(args: SceneArgs) -> Result<(), Fault> {
         What::List(list) => return print_list(list.json),
         What::Tower(t) => {
             let height_sd = 1e-3 * t.height_sd;
-            let options = TowerOptions { rows: t.rows, height_sd, mass_sd: t.mass_sd.map(|g| 1e-3 * g), ..options(&t.common) };
+            let options =
+                TowerOptions { rows: t.rows, height_sd, mass_sd: t.mass_sd.map(|g| 1e-3 * g), ..options(&t.common) };
             t.common.material.applied(checked(if t.towers == 1 { tower(&options) } else { field(t.towers, &options) })?)
         }
         What::Config(c) => {
-            let options = TowerOptions { height_sd: 1e-3 * c.height_sd, mass_sd: Some(1e-3 * c.mass_sd), ..options(&c.common) };
+            let options =
+                TowerOptions { height_sd: 1e-3 * c.height_sd, mass_sd: Some(1e-3 * c.mass_sd), ..options(&c.common) };
             c.common.material.applied(match (&c.config, &c.loose) {
                 (Some(text), _) => checked(config(text, &options))?,
                 (None, Some(text)) => checked(loose(text, &options))?,

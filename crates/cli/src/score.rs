@@ -16,8 +16,10 @@ use crate::summary::Summary;
 
 /// Predicts every scene of a file, on all cores, in the file's order.
 pub fn main(args: Score) -> Result<(), Fault> {
-    let scenes: Vec<Labelled> =
-        labelled::read(&args.scenes)?.into_iter().map(|s| Labelled { scene: args.engine.material.applied(s.scene), ..s }).collect();
+    let scenes: Vec<Labelled> = labelled::read(&args.scenes)?
+        .into_iter()
+        .map(|s| Labelled { scene: args.engine.material.applied(s.scene), ..s })
+        .collect();
     // Opened first: a folder that is missing is better said now than in ten minutes.
     let mut out = args.out.as_deref().map(create).transpose()?;
     let params = args.engine.params(false);

@@ -187,26 +187,44 @@ impl fmt::Display for Summary {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         write!(f, "{} scenes", self.scenes)?;
         if let Some(c) = &self.config {
-            write!(f, "\n  {} of {} labels right; wrong: {} with a margin of {CLEAR} mm or more, ", c.right, c.labelled, c.wrong_clear)?;
+            write!(
+                f,
+                "\n  {} of {} labels right; wrong: {} with a margin of {CLEAR} mm or more, ",
+                c.right, c.labelled, c.wrong_clear
+            )?;
             write!(f, "{} below ({} said to stand, {} to fall)", c.wrong_borderline, c.false_stable, c.false_unstable)?;
             for w in &c.wrong {
                 let margin = w.margin_mm.map_or("of unknown margin".to_owned(), |m| format!("by {m} mm"));
                 write!(f, "\n    {} is {} {margin}", w.name, w.label)?;
             }
         }
-        let parts = [("angles of collapse", &self.tilt), ("angles that depend on the sides of neighbours", &self.tilt_side_sensitive)];
+        let parts = [
+            ("angles of collapse", &self.tilt),
+            ("angles that depend on the sides of neighbours", &self.tilt_side_sensitive),
+        ];
         for (name, part) in parts {
             let Some(t) = part else { continue };
             write!(f, "\n  {} {name}", t.labelled)?;
             if t.never_fell > 0 {
                 write!(f, ", {} of them never fell", t.never_fell)?;
             }
-            if let (Some(median), Some(p95), Some(max), Some(mean)) = (t.median_abs_deg, t.p95_abs_deg, t.max_abs_deg, t.mean_signed_deg) {
-                write!(f, ": median error {median:.3} degrees, 95 % within {p95:.3}, at most {max:.3}, mean {mean:+.3}; ")?;
+            if let (Some(median), Some(p95), Some(max), Some(mean)) =
+                (t.median_abs_deg, t.p95_abs_deg, t.max_abs_deg, t.mean_signed_deg)
+            {
+                write!(
+                    f,
+                    ": median error {median:.3} degrees, 95 % within {p95:.3}, at most {max:.3}, mean {mean:+.3}; "
+                )?;
                 write!(f, "{} above the bound by more than {FAR}, {} below", t.over, t.under)?;
             }
             for e in t.worst.iter().filter(|e| e.error_deg.abs() > FAR) {
-                write!(f, "\n    {} collapses at {:.2} degrees, said {:.2}", e.name, e.truth_deg, e.truth_deg + e.error_deg)?;
+                write!(
+                    f,
+                    "\n    {} collapses at {:.2} degrees, said {:.2}",
+                    e.name,
+                    e.truth_deg,
+                    e.truth_deg + e.error_deg
+                )?;
             }
         }
         Ok(())

@@ -49,7 +49,9 @@ fn each_field_missing() {
 
 #[test]
 fn not_a_number() {
-    for (field, bad) in [("mass", json!(null)), ("mass", json!("NaN")), ("pos", json!([0, null, 0.027])), ("size", json!([null, 1, 1]))] {
+    for (field, bad) in
+        [("mass", json!(null)), ("mass", json!("NaN")), ("pos", json!([0, null, 0.027])), ("size", json!([null, 1, 1]))]
+    {
         let fault = fault_of(|s| s["blocks"][1][field] = bad);
         assert!(fault.starts_with(&format!("standard input: block 9: `{field}")), "{fault}");
     }
@@ -63,12 +65,16 @@ fn not_a_number() {
 #[test]
 fn impossible_blocks() {
     assert!(
-        fault_of(|s| s["blocks"][0]["size"][1] = json!(0)).contains("block 7: `size` is [0.081, 0, 0.018] m, expected three lengths of")
+        fault_of(|s| s["blocks"][0]["size"][1] = json!(0))
+            .contains("block 7: `size` is [0.081, 0, 0.018] m, expected three lengths of")
     );
     assert!(fault_of(|s| s["blocks"][0]["size"][1] = json!(-0.02)).contains("block 7: `size`"));
     assert!(fault_of(|s| s["blocks"][0]["mass"] = json!(0)).contains("block 7: `mass` is 0 kg, expected above 0"));
     assert!(fault_of(|s| s["blocks"][1]["id"] = json!(7)).contains("block 7: `id` is used twice"));
-    assert!(fault_of(|s| s["blocks"][1]["pos"][2] = json!(0.020)).contains("blocks 7 and 9: `pos` makes them overlap by 7.000 mm"));
+    assert!(
+        fault_of(|s| s["blocks"][1]["pos"][2] = json!(0.020))
+            .contains("blocks 7 and 9: `pos` makes them overlap by 7.000 mm")
+    );
     assert!(fault_of(|s| s["blocks"][0]["pos"][2] = json!(0.0)).contains("block 7: `pos` is 0.000 mm above the floor"));
     assert!(fault_of(|s| s["blocks"] = json!([])).contains("`blocks` is a list of 0"));
     assert!(fault_of(|s| s["friction"] = json!(3)).contains("`friction` is 3, expected 0 to 2"));
@@ -107,7 +113,11 @@ fn a_packed_flood_is_refused() {
     }
     packer.finish().unwrap();
     let done = teeter(&["score", path.to_str().unwrap()]);
-    assert!(done.fault().ends_with("flood.jsonl.gz, line 1: the scene is larger than 64 MB, the most that is read"), "{}", done.err);
+    assert!(
+        done.fault().ends_with("flood.jsonl.gz, line 1: the scene is larger than 64 MB, the most that is read"),
+        "{}",
+        done.err
+    );
 }
 
 #[test]
@@ -117,11 +127,24 @@ fn no_scene_at_all() {
     assert!(teeter(&["run", folder]).fault().ends_with(": this is a folder, expected a file"));
     assert!(teeter(&["run", &format!("{folder}/none.json")]).fault().ends_with("none.json: there is no such file"));
     assert!(teeter(&["score", &format!("{folder}/none.jsonl")]).fault().ends_with("none.jsonl: there is no such file"));
-    assert!(teeter(&["run", "nosuch"]).fault().starts_with("there is no scene `nosuch`, neither a file nor one of tower, "));
+    assert!(
+        teeter(&["run", "nosuch"]).fault().starts_with("there is no scene `nosuch`, neither a file nor one of tower, ")
+    );
     assert_eq!(teeter_with(&["run", "-"], b"").fault(), "standard input: the scene is empty, expected JSON");
-    assert!(teeter_with(&["run", "-"], b"two blocks, please").fault().starts_with("standard input: this is not JSON: expected"));
-    assert!(teeter_with(&["run", "-"], b"[1, 2]").fault().starts_with("standard input: the scene is a JSON list, expected a JSON object"));
-    assert_eq!(teeter_with(&["run", "-"], b"{\"name\": \"\xff\"}").fault(), "standard input: the scene is not text: byte 10 is not UTF-8");
+    assert!(
+        teeter_with(&["run", "-"], b"two blocks, please")
+            .fault()
+            .starts_with("standard input: this is not JSON: expected")
+    );
+    assert!(
+        teeter_with(&["run", "-"], b"[1, 2]")
+            .fault()
+            .starts_with("standard input: the scene is a JSON list, expected a JSON object")
+    );
+    assert_eq!(
+        teeter_with(&["run", "-"], b"{\"name\": \"\xff\"}").fault(),
+        "standard input: the scene is not text: byte 10 is not UTF-8"
+    );
     assert!(teeter_with(&["score", "-"], b"\n\n").fault().starts_with("standard input: no scenes"));
 }
 
@@ -154,7 +177,10 @@ fn commands_that_are_none() {
         (&["scene", "midgame", "pile"], "pile"),
         (&["scene", "midgame", "--stiffness", "stiff"], "stiff"),
         (&["scene", "tower", "--stiffness", "1e9"], "1e9"),
-        (&["scene", "tower", "--kinetic-friction", "0.5"], "`kinetic_friction` is 0.5, expected at most `friction`, 0.4"),
+        (
+            &["scene", "tower", "--kinetic-friction", "0.5"],
+            "`kinetic_friction` is 0.5, expected at most `friction`, 0.4",
+        ),
         (&["score", "/dev/null", "--out", "/no/such/folder"], "no scenes"),
     ] {
         let done = teeter(args);

@@ -8,7 +8,16 @@ use common::teeter;
 fn parts_of_the_report() {
     let folder = tempfile::tempdir().unwrap();
     let out = folder.path().join("new").join("report");
-    let done = teeter(&["dissertation", "report", "--out", out.to_str().unwrap(), "--only", "table-5.2", "--only", "soft-springs"]);
+    let done = teeter(&[
+        "dissertation",
+        "report",
+        "--out",
+        out.to_str().unwrap(),
+        "--only",
+        "table-5.2",
+        "--only",
+        "soft-springs",
+    ]);
     assert_eq!((done.code, done.err.as_str()), (0, ""));
     let page = std::fs::read_to_string(out.join("index.html")).unwrap();
     assert_eq!(done.out.trim_end(), out.join("index.html").display().to_string());

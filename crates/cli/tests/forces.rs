@@ -12,7 +12,9 @@ fn the_blocks_of_a_column_start_at_coulombs_force() {
     for (i, block) in blocks.iter().enumerate() {
         assert_eq!(block["id"], i);
         let expected = 0.4 * 0.0196 * 9.81 * (10 - i) as f64;
-        for force in [&block["forward_N"], &block["backward_N"], &block["exact"]["straight_n"], &block["exact"]["turning_n"]] {
+        for force in
+            [&block["forward_N"], &block["backward_N"], &block["exact"]["straight_n"], &block["exact"]["turning_n"]]
+        {
             let force = force.as_f64().unwrap();
             assert!((force / expected - 1.0).abs() < 5e-3, "block {i}: {force} instead of {expected}");
         }

@@ -6,7 +6,10 @@ mod common;
 #[test]
 fn without_the_page_it_says_how_to_get_it() {
     let done = common::teeter(&["play", "--no-open"]);
-    assert_eq!(done.fault(), "this program was built without the page: `make play` builds it with the page and starts it");
+    assert_eq!(
+        done.fault(),
+        "this program was built without the page: `make play` builds it with the page and starts it"
+    );
 }
 
 #[cfg(feature = "page")]
@@ -28,7 +31,8 @@ mod served {
             let mut child = common::command(&[&["play", "--no-open"], args].concat()).spawn().unwrap();
             let mut line = String::new();
             BufReader::new(child.stdout.as_mut().unwrap()).read_line(&mut line).unwrap();
-            let address = line.strip_prefix("Teeter is at http://").and_then(|l| l.strip_suffix("/ (Ctrl-C ends it)\n"));
+            let address =
+                line.strip_prefix("Teeter is at http://").and_then(|l| l.strip_suffix("/ (Ctrl-C ends it)\n"));
             let address = address.unwrap_or_else(|| panic!("{line:?}")).to_owned();
             Self { child, address }
         }
@@ -105,7 +109,9 @@ mod served {
         }
         let policy = headers.iter().find(|h| h.starts_with("content-security-policy: ")).unwrap();
         assert!(
-            policy.contains("default-src 'self'") && policy.contains("'wasm-unsafe-eval'") && !policy.contains("'unsafe-eval'"),
+            policy.contains("default-src 'self'")
+                && policy.contains("'wasm-unsafe-eval'")
+                && !policy.contains("'unsafe-eval'"),
             "{policy}"
         );
         assert_eq!(server.get("HEAD", "/").2, b"");
@@ -128,7 +134,10 @@ mod served {
         let taken = TcpListener::bind("127.0.0.1:0").unwrap();
         let port = taken.local_addr().unwrap().port().to_string();
         let done = common::teeter(&["play", "--no-open", "--port", &port]);
-        assert_eq!(done.fault(), format!("port {port} is taken: choose another with --port, or leave --port out for a free one"));
+        assert_eq!(
+            done.fault(),
+            format!("port {port} is taken: choose another with --port, or leave --port out for a free one")
+        );
     }
 
     #[cfg(unix)]

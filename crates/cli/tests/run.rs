@@ -43,7 +43,8 @@ fn the_readme_shows_what_run_says() {
     let (_, shown) = readme.split_once("$ teeter run tower --no-sleep\n").unwrap();
     let (shown, _) = shown.split_once("```").unwrap();
     let said = teeter(&["run", "tower", "--no-sleep"]).out;
-    let timeless = |text: &str| text.lines().filter(|line| !line.starts_with("  time")).map(str::to_owned).collect::<Vec<_>>();
+    let timeless =
+        |text: &str| text.lines().filter(|line| !line.starts_with("  time")).map(str::to_owned).collect::<Vec<_>>();
     assert_eq!(timeless(shown), timeless(&said));
 }
 
@@ -115,7 +116,8 @@ fn the_table_is_for_people() {
 
 #[test]
 fn blocks_may_have_springs_of_wood() {
-    let run = |stiffness: &str| report(&["column", "--form", "lattice", "--spring-stiffness", stiffness, "--seconds", "1"]);
+    let run =
+        |stiffness: &str| report(&["column", "--form", "lattice", "--spring-stiffness", stiffness, "--seconds", "1"]);
     let (wood, soft) = (run("wood"), run("1e5"));
     assert_eq!(wood["hash"], run("3e7")["hash"]);
     assert!(soft["sink_mm"].as_f64().unwrap() > 3.0 * wood["sink_mm"].as_f64().unwrap(), "{soft} {wood}");

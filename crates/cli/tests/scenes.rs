@@ -12,13 +12,29 @@ fn the_default_tower() {
     let scene = Scene::from_json(&done.out).unwrap();
     assert_eq!(scene, teeter_scene::tower(&Default::default()).unwrap());
     assert_eq!((done.code, done.err.as_str(), scene.blocks.len()), (0, "", 54));
-    assert_eq!(teeter(&["scene", "tower", "--rows", "18", "--seed", "1", "--block", "dissertation", "--height-sd", "0.1"]).out, done.out);
+    assert_eq!(
+        teeter(&["scene", "tower", "--rows", "18", "--seed", "1", "--block", "dissertation", "--height-sd", "0.1"]).out,
+        done.out
+    );
 }
 
 #[test]
 fn options_reach_the_tower() {
-    let scene =
-        teeter(&["scene", "tower", "--rows", "3", "--block", "official", "--height-sd", "0", "--mass-sd", "0", "--friction", "0.3"]).json();
+    let scene = teeter(&[
+        "scene",
+        "tower",
+        "--rows",
+        "3",
+        "--block",
+        "official",
+        "--height-sd",
+        "0",
+        "--mass-sd",
+        "0",
+        "--friction",
+        "0.3",
+    ])
+    .json();
     assert_eq!(scene["blocks"].as_array().unwrap().len(), 9);
     assert_eq!(scene["blocks"][4]["size"], json!([0.075, 0.025, 0.015]));
     assert_eq!(scene["blocks"][4]["mass"], json!(0.0141));

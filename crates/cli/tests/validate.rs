@@ -34,7 +34,9 @@ fn the_parts_asked_for_are_measured_and_met() {
 fn a_sheet_that_coulomb_filled_in_is_met() {
     let folder = tempfile::tempdir().unwrap();
     let file = folder.path().join("sheet.csv");
-    let mut sheet = String::from("length_mm,81\nwidth_mm,26.8\nfriction,0.4\nbalance_error_N,0.005\nrow,column,height_mm,mass_g,pull_N\n");
+    let mut sheet = String::from(
+        "length_mm,81\nwidth_mm,26.8\nfriction,0.4\nbalance_error_N,0.005\nrow,column,height_mm,mass_g,pull_N\n",
+    );
     for row in 1..=3 {
         for column in 1..=3 {
             let above = if column == 2 { 3 * (3 - row) } else { 0 };
@@ -45,7 +47,10 @@ fn a_sheet_that_coulomb_filled_in_is_met() {
     }
     std::fs::write(&file, &sheet).unwrap();
     let (said, json, _) = report(&["--real", file.to_str().unwrap()]);
-    assert!(said.contains("readings met: 100 % of 9") && said.contains("loose and tight as in the real tower: 100 %"), "{said}");
+    assert!(
+        said.contains("readings met: 100 % of 9") && said.contains("loose and tight as in the real tower: 100 %"),
+        "{said}"
+    );
     assert_eq!(json["sections"].as_array().unwrap().len(), 1);
 
     // one that is wrong is not met

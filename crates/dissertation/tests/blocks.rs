@@ -78,14 +78,19 @@ fn springs_are_equal_and_opposite() {
 
 /// Most energy over that at the start, as a share of it, while two blocks meet corner first in free space. Their momentum must stay.
 fn gain(restitution: f64, damping: f64, mid_loop_count: u32) -> f64 {
-    let constants = Constants { restitution, damping, mid_loop_count, friction_enabled: false, row_spacing: 0.01, ..still() };
+    let constants =
+        Constants { restitution, damping, mid_loop_count, friction_enabled: false, row_spacing: 0.01, ..still() };
     let mut two = Jenga3D::new(&named("test-4").unwrap(), constants).unwrap();
     // Away with the third.
     let third = two.model.blocks[2].corners();
     for (n, state) in two.curr.iter_mut().enumerate() {
         let k = n as f64;
         let thrown = if n < 8 { DVec3::new(0.0, 0.1, 1.0) } else { DVec3::new(0.05, 0.0, -0.5) };
-        state.velocity = if third.contains(&n) { 10.0 * DVec3::X } else { thrown + 0.05 * DVec3::new(libm::sin(k), libm::cos(k), 0.0) };
+        state.velocity = if third.contains(&n) {
+            10.0 * DVec3::X
+        } else {
+            thrown + 0.05 * DVec3::new(libm::sin(k), libm::cos(k), 0.0)
+        };
         state.position.z += 1.0;
     }
     let masses: Vec<f64> = two.model.particles.iter().map(|p| p.mass).collect();
@@ -122,7 +127,8 @@ fn blocks_that_collide_in_space() {
 /// Gravity is that of the constants: a block in the air falls by g t²/2.
 #[test]
 fn blocks_fall() {
-    let mut one = Jenga3D::new(&named("block").unwrap(), Constants { row_spacing: 0.1, ..Constants::default() }).unwrap();
+    let mut one =
+        Jenga3D::new(&named("block").unwrap(), Constants { row_spacing: 0.1, ..Constants::default() }).unwrap();
     let start = one.centres()[0].z;
     for _ in 0..6 {
         one.frame(None);
@@ -155,7 +161,8 @@ fn the_hybrid_hand_takes_the_better_of_two() {
     }
     let push_tower = |hand: HandMode| {
         let constants = Constants { hand, ..Constants::default() };
-        let mut six = Jenga3D::new(&tower(&TowerOptions { rows: 6, ..TowerOptions::default() }).unwrap(), constants).unwrap();
+        let mut six =
+            Jenga3D::new(&tower(&TowerOptions { rows: 6, ..TowerOptions::default() }).unwrap(), constants).unwrap();
         for _ in 0..15 {
             six.frame(None);
         }

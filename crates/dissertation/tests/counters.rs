@@ -10,7 +10,8 @@ fn full(rows: u32) -> Scene {
 
 /// Counts of one step of a tower at rest as a mean over a frame, both calls of `CollideBlocks` in full: without a test, and after each.
 fn count(rows: u32, listed_boxes: bool) -> [u64; 5] {
-    let constants = Constants { listed_boxes, skip_unchanged: false, disabling: Disabling::Off, ..Constants::default() };
+    let constants =
+        Constants { listed_boxes, skip_unchanged: false, disabling: Disabling::Off, ..Constants::default() };
     let mut tower = Jenga3D::new(&full(rows), constants).unwrap();
     for _ in 0..30 {
         tower.frame(None);

@@ -66,7 +66,10 @@ fn a_stack_that_falls_onto_itself() {
             assert!(report.sweeps <= 3 && !report.unresolved, "{count}: {report:?}");
         }
         let (centre, turn) = world.pose(count as usize - 1);
-        assert!((centre.y - (f64::from(count) - 0.5) * 0.018).abs() < 1e-3 && turn.abs() < 0.01, "{count}: {centre} {turn}");
+        assert!(
+            (centre.y - (f64::from(count) - 0.5) * 0.018).abs() < 1e-3 && turn.abs() < 0.01,
+            "{count}: {centre} {turn}"
+        );
     }
 }
 
@@ -98,7 +101,10 @@ fn micro_collisions_carry_a_stack() {
 #[test]
 fn sections_of_scenes() {
     let test_1 = section(&named("test-1").unwrap());
-    assert_eq!(test_1.iter().map(|b| (b.size.x * 1e4).round()).collect::<Vec<_>>(), [810.0, 268.0, 810.0, 268.0, 810.0, 268.0]);
+    assert_eq!(
+        test_1.iter().map(|b| (b.size.x * 1e4).round()).collect::<Vec<_>>(),
+        [810.0, 268.0, 810.0, 268.0, 810.0, 268.0]
+    );
     assert_eq!(section(&named("tower").unwrap()).len(), 9 + 27);
     let mut world = Rigid2D::new(&test_1, Constants::of(Method::Penalty));
     run(&mut world, 1.0);
@@ -214,7 +220,8 @@ fn collisions_in_flight() {
     for restitution in [0.0, 0.5, 1.0] {
         for method in [Method::Constraint, Method::MicroCollisions] {
             let constants = Constants { restitution, gravity: 0.0, friction: 0.0, ..Constants::of(method) };
-            let high = |y: f64, x: f64| Rectangle { size: DVec2::new(0.081, 0.018), mass: 0.0196, centre: DVec2::new(x, y) };
+            let high =
+                |y: f64, x: f64| Rectangle { size: DVec2::new(0.081, 0.018), mass: 0.0196, centre: DVec2::new(x, y) };
             let mut world = Rigid2D::new(&[high(1.0, 0.0), high(1.05, 0.03)], constants);
             world.bodies[1].velocity = DVec2::new(0.0, 0.5);
             world.bodies[2].velocity = DVec2::new(-0.1, -0.5);

@@ -45,8 +45,13 @@ fn a_push_below_the_limit_moves_nothing() {
     let pushed = |static_friction, share: f64| {
         // The target is so far off that the force does not change with the place.
         let force = share * 0.4 * 0.0196 * 9.81;
-        let constants =
-            Constants { static_friction, drag: 0.0, hand: HandMode::Force, hand_stiffness: force / 100.0, ..without_disabling() };
+        let constants = Constants {
+            static_friction,
+            drag: 0.0,
+            hand: HandMode::Force,
+            hand_stiffness: force / 100.0,
+            ..without_disabling()
+        };
         let mut one = settled(&named("block").unwrap(), constants, 30);
         let start = one.centres()[0].x;
         let hand = Hand { block: 0, target: one.centres()[0] + 100.0 * DVec3::X };

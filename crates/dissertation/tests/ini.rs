@@ -14,7 +14,9 @@ fn round_trip() {
     };
     assert_eq!(Constants::from_ini(&constants.to_ini()), Ok(constants));
     assert_eq!(Constants::from_ini(""), Ok(Constants::default()));
-    let some = Constants::from_ini("; softer\n[Springs]\n stiffness = 5e3 # N/m\n\n[Integration]\niterations_per_frame=7\n").unwrap();
+    let some =
+        Constants::from_ini("; softer\n[Springs]\n stiffness = 5e3 # N/m\n\n[Integration]\niterations_per_frame=7\n")
+            .unwrap();
     assert_eq!((some.stiffness, some.iterations_per_frame), (5e3, 7));
 }
 

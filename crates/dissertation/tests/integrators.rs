@@ -39,7 +39,8 @@ fn order_of(method: Method, steps: u32) -> f64 {
 
 #[test]
 fn orders() {
-    for (method, expected) in [(Method::Euler, 1.0), (Method::Multi, 1.0), (Method::Midpoint, 2.0), (Method::Rk4, 4.0)] {
+    for (method, expected) in [(Method::Euler, 1.0), (Method::Multi, 1.0), (Method::Midpoint, 2.0), (Method::Rk4, 4.0)]
+    {
         let order = order_of(method, 64);
         assert!((order - expected).abs() < 0.05, "{} has order {order}", method.name());
     }
@@ -50,7 +51,9 @@ fn orders() {
 fn multi_is_euler_several_times() {
     let mut between = Between::default();
     let multi = error(16, |curr, next, h| integrate(Method::Multi, 4, h, &PARTICLE, curr, next, &mut between, spring));
-    let euler = error(64, |curr, next, h| integrate(Method::Euler, 1, h, &PARTICLE, curr, next, &mut Between::default(), spring));
+    let euler = error(64, |curr, next, h| {
+        integrate(Method::Euler, 1, h, &PARTICLE, curr, next, &mut Between::default(), spring)
+    });
     assert!((multi - euler).abs() < 1e-14);
 }
 

@@ -26,7 +26,8 @@ fn stands(name: &str) -> bool {
 /// The second is the one on a knife's edge: with blocks of the nominal size it is short of balance by 0.15 mm, and falls.
 #[test]
 fn six_static_tests() {
-    for (name, expected) in [("test-1", true), ("test-2", false), ("test-3", false), ("test-4", false), ("test-5", true), ("test-6", true)]
+    for (name, expected) in
+        [("test-1", true), ("test-2", false), ("test-3", false), ("test-4", false), ("test-5", true), ("test-6", true)]
     {
         assert_eq!(stands(name), expected, "{name}");
     }
@@ -34,6 +35,7 @@ fn six_static_tests() {
 
 #[test]
 fn six_rows_stand() {
-    let (moved, dropped) = moves(&tower(&TowerOptions { rows: 6, ..TowerOptions::default() }).unwrap(), 3.0, Constants::default());
+    let (moved, dropped) =
+        moves(&tower(&TowerOptions { rows: 6, ..TowerOptions::default() }).unwrap(), 3.0, Constants::default());
     assert!(moved < 1.0 && dropped < 0.5, "{moved} {dropped}");
 }

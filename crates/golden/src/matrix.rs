@@ -28,7 +28,11 @@ impl Cell {
         let mut fields = line.split('\t');
         let (column, run, rest, hash) = (fields.next()?, fields.next()?, fields.next()?, fields.next()?);
         let step_of_rest = if rest == "-" { None } else { Some(rest.parse().ok()?) };
-        Some(Self { column: column.to_owned(), run: run.to_owned(), outcome: Outcome { step_of_rest, hash: hash.to_owned() } })
+        Some(Self {
+            column: column.to_owned(),
+            run: run.to_owned(),
+            outcome: Outcome { step_of_rest, hash: hash.to_owned() },
+        })
     }
 }
 
@@ -50,8 +54,11 @@ pub fn table(golden: &Golden, cells: &[Cell]) -> (String, bool) {
     };
     row("", &mut golden.runs.iter().map(|run| run.name.as_str()));
     row("golden", &mut golden.runs.iter().map(|run| run.outcome.hash.as_str()));
-    let rests: Vec<String> =
-        golden.runs.iter().map(|run| run.outcome.step_of_rest.map_or("awake".to_owned(), |s| format!("rests at {s}"))).collect();
+    let rests: Vec<String> = golden
+        .runs
+        .iter()
+        .map(|run| run.outcome.step_of_rest.map_or("awake".to_owned(), |s| format!("rests at {s}")))
+        .collect();
     row("", &mut rests.iter().map(String::as_str));
     for column in columns {
         let fields: Vec<&str> = golden

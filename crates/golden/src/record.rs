@@ -59,14 +59,20 @@ fn pull() -> Result<Vec<Input>, Fault> {
     let clear = top + 0.5 * height + 0.01;
     let over = DVec3::new(0.0, 0.0, clear) + q * anchor;
     let laid = over - DVec3::Z * 0.0105;
-    let way = [(out, 0.08, Grip::Slide), (out.with_z(over.z), 0.4, Grip::Carry), (over, 0.3, Grip::Carry), (laid, 0.04, Grip::Carry)];
+    let way = [
+        (out, 0.08, Grip::Slide),
+        (out.with_z(over.z), 0.4, Grip::Carry),
+        (over, 0.3, Grip::Carry),
+        (laid, 0.04, Grip::Carry),
+    ];
     let mut from = start;
     for (to, speed, grip) in way {
         let frames = ((to - from).length() / speed / world.params().frame).ceil();
         for i in 1..=frames as u32 {
             let target = rounded(from.lerp(to, f64::from(i) / frames));
             let (max_force, max_torque) = (Hand::default_force(), Hand::default_torque());
-            let hand = Hand { body, anchor, target, orientation: Some(q), grip, axis: DVec3::ZERO, max_force, max_torque };
+            let hand =
+                Hand { body, anchor, target, orientation: Some(q), grip, axis: DVec3::ZERO, max_force, max_torque };
             inputs.push(Input { hand: Some(hand), ..Input::default() });
         }
         from = to;

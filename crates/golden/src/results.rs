@@ -55,7 +55,9 @@ const REASON_WORDS: usize = 4;
 pub fn reason<'a>(what: &str, text: &'a str) -> Result<&'a str, Fault> {
     let text = text.trim();
     if text.split_whitespace().count() < REASON_WORDS {
-        return Err(format!("{what} may change for a reason only: say in {REASON_WORDS} words or more what changed them"));
+        return Err(format!(
+            "{what} may change for a reason only: say in {REASON_WORDS} words or more what changed them"
+        ));
     }
     Ok(text)
 }
@@ -74,7 +76,8 @@ pub fn mint(dir: &Path, reason: &str) -> Result<Vec<String>, Fault> {
         }
     }
     let before = Golden::read(dir).ok();
-    let minted: Vec<Minted> = runs.iter().zip(outcomes).map(|(run, outcome)| Minted { name: run.name.clone(), outcome }).collect();
+    let minted: Vec<Minted> =
+        runs.iter().zip(outcomes).map(|(run, outcome)| Minted { name: run.name.clone(), outcome }).collect();
     if before.as_ref().is_some_and(|before| before.runs == minted) {
         return Ok(Vec::new());
     }

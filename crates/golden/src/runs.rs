@@ -67,7 +67,8 @@ pub fn runs(dir: &Path) -> Result<Vec<Run>, Fault> {
 impl Entry {
     fn load(self, dir: &Path) -> Result<Run, Fault> {
         let Entry { name, scene, stiffness, form, springs, params, steps, inputs } = self;
-        let mut scene = teeter_scene::named(&scene).ok_or_else(|| format!("run {name}: there is no scene called `{scene}`"))?;
+        let mut scene =
+            teeter_scene::named(&scene).ok_or_else(|| format!("run {name}: there is no scene called `{scene}`"))?;
         scene.stiffness = stiffness.unwrap_or(scene.stiffness);
         (scene.form, scene.springs) = (form, springs);
         let text = inputs.as_ref().map_or(Ok(String::new()), |file| read(dir, file))?;

@@ -23,7 +23,11 @@ fn check(width: Width, threads: usize) {
     let golden = Golden::read(&dir()).unwrap();
     let runs = golden_runs();
     let names: Vec<&str> = runs.iter().map(|run| run.name.as_str()).collect();
-    assert_eq!(names, golden.runs.iter().map(|run| run.name.as_str()).collect::<Vec<_>>(), "mint the results of the new runs");
+    assert_eq!(
+        names,
+        golden.runs.iter().map(|run| run.name.as_str()).collect::<Vec<_>>(),
+        "mint the results of the new runs"
+    );
     for (name, outcome) in names.iter().zip(play_all(&runs, width, threads).unwrap()) {
         assert_eq!(
             Some(&outcome),
@@ -174,7 +178,8 @@ fn minting_asks_for_a_reason() {
 fn the_matrix_shows_what_differs_and_what_is_missing() {
     let golden = Golden::read(&dir()).unwrap();
     let cells = |column: &str| -> Vec<Cell> {
-        let cell = |m: &teeter_golden::Minted| Cell { column: column.into(), run: m.name.clone(), outcome: m.outcome.clone() };
+        let cell =
+            |m: &teeter_golden::Minted| Cell { column: column.into(), run: m.name.clone(), outcome: m.outcome.clone() };
         golden.runs.iter().map(cell).collect()
     };
     let mut all = [cells("one"), cells("two")].concat();

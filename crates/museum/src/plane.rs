@@ -133,12 +133,18 @@ impl Plane {
         let world = match kind(method) {
             Some(kind) => {
                 let usual = rigid::Constants::of(kind);
-                World::Rigid(Rigid2D::new(&blocks, rigid::Constants { stiffness: stiffness.unwrap_or(usual.stiffness), ..usual }))
+                World::Rigid(Rigid2D::new(
+                    &blocks,
+                    rigid::Constants { stiffness: stiffness.unwrap_or(usual.stiffness), ..usual },
+                ))
             }
             None => {
                 let usual = springs::Constants::default();
                 let blocks = if setting == Setting::Falling { blocks } else { apart(&blocks, SPACING) };
-                World::Springs(Springs2D::new(&blocks, springs::Constants { stiffness: stiffness.unwrap_or(usual.stiffness), ..usual }))
+                World::Springs(Springs2D::new(
+                    &blocks,
+                    springs::Constants { stiffness: stiffness.unwrap_or(usual.stiffness), ..usual },
+                ))
             }
         };
         Ok(Self { method, world, sizes, corners: Vec::new(), time: 0.0, hand: None, counts: Counts::default() })
@@ -198,7 +204,9 @@ impl Plane {
         let Self { world, corners, .. } = self;
         corners.clear();
         match world {
-            World::Rigid(world) => corners.extend(world.bodies[1..].iter().flat_map(|b| b.corners()).flat_map(|c| c.to_array())),
+            World::Rigid(world) => {
+                corners.extend(world.bodies[1..].iter().flat_map(|b| b.corners()).flat_map(|c| c.to_array()))
+            }
             World::Springs(world) => corners.extend(world.curr.iter().flat_map(|s| s.position.to_array())),
         }
         corners.as_ptr()
@@ -216,7 +224,9 @@ impl Plane {
             }
             _ => {
                 let touches = world.touches(TOUCHING);
-                let push = |depth: f64| if self.method == Method::Penalty { world.constants.stiffness * depth.max(0.0) } else { 0.0 };
+                let push = |depth: f64| {
+                    if self.method == Method::Penalty { world.constants.stiffness * depth.max(0.0) } else { 0.0 }
+                };
                 let forces = touches.iter().map(|t| push(t.point.depth)).collect();
                 (touches, forces)
             }
@@ -280,7 +290,8 @@ impl Plane {
             (beside, (local.clamp(-half, half) + half) / self.sizes[block])
         };
         let best = (0..self.length()).map(|b| (b, nearest(b))).min_by(|(_, a), (_, b)| a.0.total_cmp(&b.0));
-        self.hand = best.filter(|(_, (beside, _))| *beside <= REACH).map(|(block, (_, at))| Hand { block, at, target: place });
+        self.hand =
+            best.filter(|(_, (beside, _))| *beside <= REACH).map(|(block, (_, at))| Hand { block, at, target: place });
         self.hand.is_some()
     }
 
@@ -363,7 +374,9 @@ fn check(options: &Options) -> Result<(), Failure> {
     }
     match options.stiffness {
         // The steps are made for the usual stiffness of 2e4 N/m.
-        Some(stiffness) if !(50.0..=2e4).contains(&stiffness) => refuse(format!("`stiffness` is {stiffness}, expected 50 to 2e4 N/m")),
+        Some(stiffness) if !(50.0..=2e4).contains(&stiffness) => {
+            refuse(format!("`stiffness` is {stiffness}, expected 50 to 2e4 N/m"))
+        }
         _ => Ok(()),
     }
 }
@@ -377,7 +390,8 @@ mod tests {
     const METHODS: [&str; 4] = ["springs", "constraint", "penalty", "micro-collisions"];
 
     fn plane(method: &str, setting: &str, count: u32) -> Plane {
-        Plane::new(&format!(r#"{{"method": "{method}", "setting": "{setting}", "count": {count}, "gap": 0.004}}"#)).unwrap()
+        Plane::new(&format!(r#"{{"method": "{method}", "setting": "{setting}", "count": {count}, "gap": 0.004}}"#))
+            .unwrap()
     }
 
     fn seconds(plane: &mut Plane, time: f64) -> Value {
@@ -455,7 +469,11 @@ mod tests {
             let time = 0.2;
             seconds(&mut plane, time);
             let expected = DVec2::new(0.1 * time, 0.5 - 0.5 * 9.81 * time * time);
-            assert!(plane.pose(1).0.distance(expected) < 9.81 * time * plane.step() + 1e-6, "{method}: {}", plane.pose(1).0);
+            assert!(
+                plane.pose(1).0.distance(expected) < 9.81 * time * plane.step() + 1e-6,
+                "{method}: {}",
+                plane.pose(1).0
+            );
             while plane.length() < MOST_BLOCKS {
                 plane.add(0.0, 1.0, 0.0, 0.0).unwrap();
             }

@@ -97,8 +97,11 @@ impl Space {
     pub fn new(scene: &str, future: bool) -> Result<Space, Failure> {
         let scene = Scene::from_json(scene).map_err(|e| Failure(e.to_string()))?;
         let usual = Constants { friction: scene.friction, gravity: scene.gravity, ..Constants::default() };
-        let constants =
-            if future { Constants { static_friction: Some(scene.friction), disabling: Disabling::Rigid, ..usual } } else { usual };
+        let constants = if future {
+            Constants { static_friction: Some(scene.friction), disabling: Disabling::Rigid, ..usual }
+        } else {
+            usual
+        };
         let jenga = Jenga3D::new(&scene, constants).map_err(|e| Failure(e.to_string()))?;
         let ends: Vec<[u32; 2]> = jenga.model.springs[..SPRINGS].iter().map(|s| [s.p1, s.p2]).collect();
         let pairs = (0..CORNERS as u32).flat_map(|a| (a + 1..CORNERS as u32).map(move |b| [a, b]));
@@ -115,8 +118,11 @@ impl Space {
     /// Advances by a sixtieth of a second under a hand (JSON of `{"body", "target"}`: where the block's centre is wanted, m; empty text for
     /// none), and gives the report as JSON. A hand on a block that does not exist is an error, and everything stays as it was.
     pub fn step(&mut self, hand: &str) -> Result<String, Failure> {
-        let grasp: Option<Grasp> =
-            if hand.trim().is_empty() { None } else { Some(serde_json::from_str(hand).map_err(|e| Failure::reading("hand", e))?) };
+        let grasp: Option<Grasp> = if hand.trim().is_empty() {
+            None
+        } else {
+            Some(serde_json::from_str(hand).map_err(|e| Failure::reading("hand", e))?)
+        };
         if let Some(grasp) = &grasp {
             self.check(grasp.body)?;
             if !grasp.target.iter().all(|x| x.is_finite()) {
@@ -198,7 +204,11 @@ impl Space {
 impl Space {
     fn check(&self, body: u32) -> Result<(), Failure> {
         let count = self.length();
-        if (body as usize) < count { Ok(()) } else { Err(Failure(format!("there is no block {body}: the tower has {count}"))) }
+        if (body as usize) < count {
+            Ok(())
+        } else {
+            Err(Failure(format!("there is no block {body}: the tower has {count}")))
+        }
     }
 
     fn frame(&mut self, hand: Option<&Hand>) -> Report {
@@ -231,7 +241,8 @@ impl Space {
             let [a, b] = contact.blocks;
             // One entry a pair, whichever side the normal points to.
             let (pair, sign) = if a < b { ([a, b], 1.0) } else { ([b, a], -1.0) };
-            let at: DVec3 = contact.parts().filter(|(_, w)| *w > 0.0).map(|(p, w)| w * self.jenga.curr[p].position).sum();
+            let at: DVec3 =
+                contact.parts().filter(|(_, w)| *w > 0.0).map(|(p, w)| w * self.jenga.curr[p].position).sum();
             let load = self.loads.entry(pair).or_default();
             load.force += sign * contact.normal_force * contact.normal;
             load.size += contact.normal_force;
@@ -350,7 +361,10 @@ mod tests {
         }
         let mut space = Space::new(ONE, true).unwrap();
         let before = space.time();
-        assert_eq!(space.step(r#"{"body": 3, "target": [0, 0, 0]}"#).unwrap_err().to_string(), "there is no block 3: the tower has 1");
+        assert_eq!(
+            space.step(r#"{"body": 3, "target": [0, 0, 0]}"#).unwrap_err().to_string(),
+            "there is no block 3: the tower has 1"
+        );
         assert!(space.step("{}").unwrap_err().to_string().starts_with("hand: "));
         assert!(space.contacts(1).is_err());
         assert_eq!(space.time(), before);

@@ -32,7 +32,8 @@ impl Acts {
         }
         for force in &input.forces {
             let (c, i) = place(force.body);
-            let last = before.iter().find(|f| f.body == force.body && f.point == force.point).map_or(DVec3::ZERO, |f| f.force);
+            let last =
+                before.iter().find(|f| f.body == force.body && f.point == force.point).map_or(DVec3::ZERO, |f| f.force);
             acts[c as usize].forces.push((AppliedForce { body: i, ..*force }, last));
         }
         for drive in &input.drives {

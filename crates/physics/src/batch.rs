@@ -37,7 +37,9 @@ pub fn quiet(speed: f64) -> bool {
 /// How far a point of a body may get in `time` (s) when it is at `speed` (m/s) soon: what that and its acceleration suggest, and never
 /// out of its margin.
 pub fn travel(shapes: &Shapes, bodies: &Bodies, i: usize, speed: f64, time: f64) -> f64 {
-    let expected = SPEED_ALLOWANCE * speed * time + ACCELERATION_ALLOWANCE * 0.5 * bodies.acceleration[i] * time * time + LEAST_BOUND;
+    let expected = SPEED_ALLOWANCE * speed * time
+        + ACCELERATION_ALLOWANCE * 0.5 * bodies.acceleration[i] * time * time
+        + LEAST_BOUND;
     expected.min(room(shapes, bodies, i))
 }
 

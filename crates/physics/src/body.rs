@@ -103,8 +103,11 @@ impl Bodies {
     pub fn new(scene: &Scene) -> Self {
         let n = scene.blocks.len();
         let position: Vec<DVec3> = scene.blocks.iter().map(|b| b.pos.into()).collect();
-        let orientation: Vec<DQuat> =
-            scene.blocks.iter().map(|b| DQuat::from_xyzw(0.0, 0.0, libm::sin(b.yaw / 2.0), libm::cos(b.yaw / 2.0)).normalize()).collect();
+        let orientation: Vec<DQuat> = scene
+            .blocks
+            .iter()
+            .map(|b| DQuat::from_xyzw(0.0, 0.0, libm::sin(b.yaw / 2.0), libm::cos(b.yaw / 2.0)).normalize())
+            .collect();
         let poses: Vec<_> = position.iter().copied().zip(orientation.iter().copied()).collect();
         Self {
             velocity: vec![DVec3::ZERO; n],
@@ -209,7 +212,9 @@ impl Bodies {
 
     /// Half edge lengths of a body as it is strained, m.
     pub fn half(&self, shapes: &Shapes, i: usize) -> DVec3 {
-        self.stretch.get(i).map_or(shapes.half[i], |s| shapes.half[i] * DVec3::new(s.x_axis.x, s.y_axis.y, s.z_axis.z).max(LEAST_STRETCH))
+        self.stretch.get(i).map_or(shapes.half[i], |s| {
+            shapes.half[i] * DVec3::new(s.x_axis.x, s.y_axis.y, s.z_axis.z).max(LEAST_STRETCH)
+        })
     }
 }
 

@@ -8,12 +8,15 @@ mod tests;
 use glam::{DMat3, DVec3};
 
 use crate::body::FLOOR;
-use crate::constants::{AXIS_HYSTERESIS, CORNER_MERGE, EDGE_AREA, EDGE_PREFERENCE, LEAST_EDGE_SINE, LEAST_EDGE_TILT, REFERENCE_AREA};
+use crate::constants::{
+    AXIS_HYSTERESIS, CORNER_MERGE, EDGE_AREA, EDGE_PREFERENCE, LEAST_EDGE_SINE, LEAST_EDGE_TILT, REFERENCE_AREA,
+};
 use crate::manifold::{Axis, MAX_POINTS, Manifold, Point};
 use crate::polygon::{Corner, LINE_LEVER, Patch, clip, merge, patch};
 
 /// What an edge crossing an edge counts as.
-const EDGE: Patch = Patch { area: EDGE_AREA * REFERENCE_AREA, centroid: [0.0; 2], shares: [1.0; MAX_POINTS], lever: LINE_LEVER };
+const EDGE: Patch =
+    Patch { area: EDGE_AREA * REFERENCE_AREA, centroid: [0.0; 2], shares: [1.0; MAX_POINTS], lever: LINE_LEVER };
 
 /// A box in the world.
 #[derive(Debug, Clone, Copy)]
@@ -233,8 +236,13 @@ fn edge_manifold(a: &Cuboid, b: &Cuboid, pair: usize, normal: DVec3, to: &mut Ma
     let t = ((cosine * w.dot(d) - w.dot(e)) * inv).clamp(-b.half[j], b.half[j]);
     let (on_a, on_b) = (p + d * s, q + e * t);
     let anchor_a = a.axes.transpose() * (on_a - a.center);
-    let point =
-        Point { anchor_a, anchor_b: b.axes.transpose() * (on_b - b.center), weight: 1.0, gap: normal.dot(on_b - on_a), ..Point::default() };
+    let point = Point {
+        anchor_a,
+        anchor_b: b.axes.transpose() * (on_b - b.center),
+        weight: 1.0,
+        gap: normal.dot(on_b - on_a),
+        ..Point::default()
+    };
     to.set([a.body, b.body], frame(a, normal, i), anchor_a, &EDGE, [point]);
 }
 

@@ -24,7 +24,8 @@ impl Bound {
     pub fn new(shapes: &Shapes, bodies: &Bodies, i: usize, reach: f64) -> Self {
         let (_, axes) = bodies.affine(i as u32);
         let half = shapes.half[i];
-        let half = axes.x_axis.abs() * half.x + axes.y_axis.abs() * half.y + axes.z_axis.abs() * half.z + DVec3::splat(reach);
+        let half =
+            axes.x_axis.abs() * half.x + axes.y_axis.abs() * half.y + axes.z_axis.abs() * half.z + DVec3::splat(reach);
         Self { min: bodies.position[i] - half, max: bodies.position[i] + half }
     }
 
@@ -56,7 +57,9 @@ pub fn overlapping(bounds: &[Bound]) -> Vec<(u32, u32)> {
     let spread = hull.max - hull.min;
     let axis = if spread.z >= spread.x.max(spread.y) { 2 } else { usize::from(spread.y > spread.x) };
     let mut order: Vec<u32> = (0..bounds.len() as u32).collect();
-    order.sort_unstable_by(|&a, &b| bounds[a as usize].min[axis].total_cmp(&bounds[b as usize].min[axis]).then(a.cmp(&b)));
+    order.sort_unstable_by(|&a, &b| {
+        bounds[a as usize].min[axis].total_cmp(&bounds[b as usize].min[axis]).then(a.cmp(&b))
+    });
     let mut pairs = Vec::new();
     for (place, &i) in order.iter().enumerate() {
         let bound = &bounds[i as usize];

@@ -51,7 +51,13 @@ impl Contacts {
     /// Gives the bodies in `due` new margins and bounds where they are, and returns the pairs to look at: lower index first, or the
     /// floor. Bodies outgrow what they were expected to sweep when they are hit harder than any of them moved before; `reach` (m) is
     /// what they are then granted, and the second result says that it happened.
-    pub fn candidates(&mut self, shapes: &Shapes, bodies: &mut Bodies, due: &[u32], reach: f64) -> (Vec<(u32, u32)>, bool) {
+    pub fn candidates(
+        &mut self,
+        shapes: &Shapes,
+        bodies: &mut Bodies,
+        due: &[u32],
+        reach: f64,
+    ) -> (Vec<(u32, u32)>, bool) {
         let mut outgrown = false;
         for i in due.iter().map(|&i| i as usize) {
             bodies.margin[i] = (bodies.point_speed(shapes, i) * MARGIN_TIME).clamp(MARGIN_RANGE.0, MARGIN_RANGE.1);

@@ -26,10 +26,21 @@ pub trait Form<R: Real>: Clone + std::fmt::Debug + Send + Sync {
     fn relative<L: Lanes<Number = R>>(group: &Group<R>, part: usize, velocity: &[Row<R>], motion: &mut Self::Motion<L>);
 
     /// Adds what the contacts did to the forces on B, and takes it from those on A. Uses up the sum.
-    fn react<L: Lanes<Number = R>>(group: &Group<R>, part: usize, sum: &mut <Self::Motion<L> as Motion<L>>::Wrench, force: &mut [Row<R>]);
+    fn react<L: Lanes<Number = R>>(
+        group: &Group<R>,
+        part: usize,
+        sum: &mut <Self::Motion<L> as Motion<L>>::Wrench,
+        force: &mut [Row<R>],
+    );
 
     /// Advances a part of the bodies by a substep with the forces on them, which begin anew with the load.
-    fn integrate<L: Lanes<Number = R>>(&mut self, part: usize, velocity: &mut [Row<R>], force: &mut [Row<R>], load: &[Row<R>]);
+    fn integrate<L: Lanes<Number = R>>(
+        &mut self,
+        part: usize,
+        velocity: &mut [Row<R>],
+        force: &mut [Row<R>],
+        load: &[Row<R>],
+    );
 
     /// Whether one of a part of them has gone as far as it may between two syncs.
     fn beyond<L: Lanes<Number = R>>(&self, part: usize) -> bool;

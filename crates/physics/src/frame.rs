@@ -217,7 +217,8 @@ impl Cluster {
 
     /// Detects again what has moved out of its margin.
     pub fn detect(&mut self, frame: &Frame, done: usize, moved: &mut Moved, outcome: &mut Outcome) {
-        let due: Vec<u32> = moved.list().filter(|&i| contacts::due(&self.shapes, &self.bodies, i)).map(|i| i as u32).collect();
+        let due: Vec<u32> =
+            moved.list().filter(|&i| contacts::due(&self.shapes, &self.bodies, i)).map(|i| i as u32).collect();
         if due.is_empty() {
             return;
         }

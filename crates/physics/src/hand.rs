@@ -47,7 +47,11 @@ impl Aim {
     /// Where a hand that has just taken hold wants its body: where it is.
     pub fn of_grasp(hand: &Hand, bodies: &Bodies) -> Self {
         let i = hand.body as usize;
-        Self { body: hand.body, target: grasped(&hand.anchor, bodies, i), orientation: hand.orientation.map(|_| bodies.orientation[i]) }
+        Self {
+            body: hand.body,
+            target: grasped(&hand.anchor, bodies, i),
+            orientation: hand.orientation.map(|_| bodies.orientation[i]),
+        }
     }
 
     /// Where a hand wants its body at the end of its frame.
@@ -64,7 +68,15 @@ pub fn grasped(anchor: &DVec3, bodies: &Bodies, i: usize) -> DVec3 {
 impl Pull {
     /// The hand for a batch that starts when the share `done` of a frame of `frame` (s) is over; over the frame the aim moves
     /// evenly from `from` to that of `hand`.
-    pub fn new(hand: &Hand, from: &Aim, done: f64, frame: f64, gravity: DVec3, shapes: &Shapes, bodies: &Bodies) -> Self {
+    pub fn new(
+        hand: &Hand,
+        from: &Aim,
+        done: f64,
+        frame: f64,
+        gravity: DVec3,
+        shapes: &Shapes,
+        bodies: &Bodies,
+    ) -> Self {
         let i = hand.body as usize;
         let point = grasped(&hand.anchor, bodies, i);
         let twist = match (from.orientation, hand.orientation) {

@@ -112,7 +112,11 @@ impl<R: Real> Group<R> {
             axis.0[l] = R::default();
         }
         for p in &mut self.points {
-            for number in p.arm.iter_mut().chain(&mut p.lever).chain(&mut p.stretch).chain([&mut p.creep, &mut p.stiffness, &mut p.pull]) {
+            for number in p.arm.iter_mut().chain(&mut p.lever).chain(&mut p.stretch).chain([
+                &mut p.creep,
+                &mut p.stiffness,
+                &mut p.pull,
+            ]) {
                 number.0[l] = R::default();
             }
             p.gap.0[l] = R::from_f64(1.0);
@@ -190,7 +194,16 @@ pub struct Kernel<R, F> {
 impl<R: Real, F: Form<R>> Kernel<R, F> {
     /// An empty one that works in registers of the given width.
     pub fn new(width: Width) -> Self {
-        Self { width, groups: Vec::new(), velocity: Vec::new(), load: Vec::new(), force: Vec::new(), bodies: Vec::new(), len: 0, h: 0.0 }
+        Self {
+            width,
+            groups: Vec::new(),
+            velocity: Vec::new(),
+            load: Vec::new(),
+            force: Vec::new(),
+            bodies: Vec::new(),
+            len: 0,
+            h: 0.0,
+        }
     }
 
     /// Runs up to `substeps` substeps; fewer when a body reaches its bound. Returns how many.
@@ -199,9 +212,13 @@ impl<R: Real, F: Form<R>> Kernel<R, F> {
         match self.width {
             Width::Portable => self.run_in::<portable::Plain<R>>(law, substeps, actors),
             // SAFETY: the processor has what is needed.
-            Width::Auto | Width::Avx512 if Width::Avx512.available() => unsafe { self.run_avx512(law, substeps, actors) },
+            Width::Auto | Width::Avx512 if Width::Avx512.available() => unsafe {
+                self.run_avx512(law, substeps, actors)
+            },
             // SAFETY: as above.
-            Width::Auto | Width::Avx512 | Width::Avx2 if Width::Avx2.available() => unsafe { self.run_avx2(law, substeps, actors) },
+            Width::Auto | Width::Avx512 | Width::Avx2 if Width::Avx2.available() => unsafe {
+                self.run_avx2(law, substeps, actors)
+            },
             _ => self.run_in::<R::Base>(law, substeps, actors),
         }
     }
@@ -239,7 +256,9 @@ impl<R: Real, F: Form<R>> Kernel<R, F> {
             self.act(actors);
             let mut beyond = false;
             let velocity = self.velocity.chunks_exact_mut(F::ROWS * L::WIDTH);
-            let rows = velocity.zip(self.force.chunks_exact_mut(F::ROWS * L::WIDTH)).zip(self.load.chunks_exact(F::ROWS * L::WIDTH));
+            let rows = velocity
+                .zip(self.force.chunks_exact_mut(F::ROWS * L::WIDTH))
+                .zip(self.load.chunks_exact(F::ROWS * L::WIDTH));
             for (i, ((velocity, force), load)) in rows.take(self.len.div_ceil(L::WIDTH)).enumerate() {
                 let (bodies, part) = (&mut self.bodies[i / (LANES / L::WIDTH)], i % (LANES / L::WIDTH));
                 bodies.integrate::<L>(part, velocity, force, load);
@@ -385,7 +404,11 @@ pub fn dot<L: Lanes>(a: &[L; 3], b: &[L; 3]) -> L {
 #[inline(always)]
 pub fn out_of_frame<L: Lanes>(frame: &[[L; 3]; 3], v: &[L; 3]) -> [L; 3] {
     let [x, y, z] = frame;
-    [x[0] * v[0] + y[0] * v[1] + z[0] * v[2], x[1] * v[0] + y[1] * v[1] + z[1] * v[2], x[2] * v[0] + y[2] * v[1] + z[2] * v[2]]
+    [
+        x[0] * v[0] + y[0] * v[1] + z[0] * v[2],
+        x[1] * v[0] + y[1] * v[1] + z[1] * v[2],
+        x[2] * v[0] + y[2] * v[1] + z[2] * v[2],
+    ]
 }
 
 /// What happens in a substep at as many contacts of a group as a register holds.
@@ -441,7 +464,13 @@ fn contacts<L: Lanes, F: Form<L::Number>>(
 
 /// The springs of a part of a group of which the fullest lane has `count` points. Written out, for a compiler keeps a loop over them.
 #[inline(always)]
-fn springs<L: Lanes, M: Motion<L>>(group: &mut Group<L::Number>, part: usize, count: u8, law: &Law<L::Number>, motion: &M) -> M::Wrench {
+fn springs<L: Lanes, M: Motion<L>>(
+    group: &mut Group<L::Number>,
+    part: usize,
+    count: u8,
+    law: &Law<L::Number>,
+    motion: &M,
+) -> M::Wrench {
     let mut sum = M::no_force();
     let relaxation = load(&group.relaxation, part);
     let [p, q, r, s] = &mut group.points;

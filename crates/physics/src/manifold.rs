@@ -94,7 +94,14 @@ impl Manifold {
 
     /// Makes it the manifold of two bodies on the axis that it has: of the frame and the centroid in the frame of the first, and of a patch with
     /// these points. What follows from the bodies' masses stays to be found.
-    pub fn set(&mut self, [a, b]: [u32; 2], frame: [DVec3; 3], centroid: DVec3, patch: &Patch, points: impl IntoIterator<Item = Point>) {
+    pub fn set(
+        &mut self,
+        [a, b]: [u32; 2],
+        frame: [DVec3; 3],
+        centroid: DVec3,
+        patch: &Patch,
+        points: impl IntoIterator<Item = Point>,
+    ) {
         (self.a, self.b, self.frame, self.centroid) = (a, b, frame, centroid);
         self.area = (patch.area / REFERENCE_AREA).clamp(AREA_RANGE.0, AREA_RANGE.1);
         (self.lever, self.mobility) = (patch.lever, 0.0);
@@ -140,7 +147,13 @@ impl Manifold {
 
     /// How easily a body gives way to this patch, 1/kg: as a whole, or by turning about its centre under a pressure that varies
     /// over the patch, and by turning under the pressure's resultant.
-    pub fn mobility_of(&self, mass: f64, inv_inertia: DMat3, to_centroid: DVec3, to_world: impl Fn(DVec3) -> DVec3) -> f64 {
+    pub fn mobility_of(
+        &self,
+        mass: f64,
+        inv_inertia: DMat3,
+        to_centroid: DVec3,
+        to_world: impl Fn(DVec3) -> DVec3,
+    ) -> f64 {
         let tangents = [to_world(self.frame[1]), to_world(self.frame[2])];
         // a lever along one tangent turns the body about the other
         let turn = |k: usize| {
@@ -155,7 +168,13 @@ impl Manifold {
 
     /// The same for a body of particles, which gives way by straining as well. `levers` are the squares of one over the distances of the particles
     /// from the centre along its axes, 1/m², in the world.
-    pub fn affine_mobility_of(&self, mass: f64, levers: DMat3, to_centroid: DVec3, to_world: impl Fn(DVec3) -> DVec3) -> f64 {
+    pub fn affine_mobility_of(
+        &self,
+        mass: f64,
+        levers: DMat3,
+        to_centroid: DVec3,
+        to_world: impl Fn(DVec3) -> DVec3,
+    ) -> f64 {
         let of = |axis: DVec3, square: f64| square * axis.dot(levers * axis);
         let [normal, ..] = self.frame.map(&to_world);
         let along = |k: usize| {
@@ -186,7 +205,12 @@ impl Manifold {
 
     /// Takes the history of an earlier manifold of the same bodies: each point that of the nearest old one. `old_to_world` and
     /// `to_world` turn a direction in A's frame into the world.
-    pub fn inherit(&mut self, old: &Manifold, to_world: impl Fn(DVec3) -> DVec3, old_to_world: impl Fn(DVec3) -> DVec3) {
+    pub fn inherit(
+        &mut self,
+        old: &Manifold,
+        to_world: impl Fn(DVec3) -> DVec3,
+        old_to_world: impl Fn(DVec3) -> DVec3,
+    ) {
         if old.points.is_empty() {
             return;
         }
@@ -196,8 +220,10 @@ impl Manifold {
         for point in &mut self.points {
             // both are compared in the frame of the same body
             let place = if swapped { point.anchor_b } else { point.anchor_a };
-            let nearest =
-                old.points.iter().min_by(|p, q| (p.anchor_a - place).length_squared().total_cmp(&(q.anchor_a - place).length_squared()));
+            let nearest = old
+                .points
+                .iter()
+                .min_by(|p, q| (p.anchor_a - place).length_squared().total_cmp(&(q.anchor_a - place).length_squared()));
             if let Some(nearest) = nearest {
                 let stretch = nearest.stretch[0] * old_tangents[0] + nearest.stretch[1] * old_tangents[1];
                 let stretch = if swapped { -stretch } else { stretch };

@@ -94,7 +94,8 @@ impl Packing {
                 for (slot, (from, &p)) in group.points.iter().zip(&entry.points).enumerate() {
                     let to = &mut points[p as usize];
                     let stretch = [from.stretch[0].0[l], from.stretch[1].0[l]];
-                    to.stretch = ways.map_or(stretch.map(R::to_f64), |ways| ways.stretched(to.stretch, stretch, (at, slot)));
+                    to.stretch =
+                        ways.map_or(stretch.map(R::to_f64), |ways| ways.stretched(to.stretch, stretch, (at, slot)));
                     to.creep = from.creep.0[l].to_f64();
                     to.force = 0.0 - from.pull.0[l].to_f64();
                 }
@@ -160,7 +161,8 @@ impl Packing {
                 kernel.groups.push(Group::new(kernel.floor()));
             }
             let manifold = &contacts.manifolds[entry.at];
-            let (rows_a, rows_b) = (if manifold.a == FLOOR { kernel.floor() } else { kernel.place(manifold.a) }, kernel.place(manifold.b));
+            let (rows_a, rows_b) =
+                (if manifold.a == FLOOR { kernel.floor() } else { kernel.place(manifold.a) }, kernel.place(manifold.b));
             let (group, l) = (&mut kernel.groups[place / LANES], place % LANES);
             (group.a[l], group.b[l]) = (rows_a, rows_b);
             self.load_geometry(group, l, manifold, bodies);
@@ -222,7 +224,14 @@ impl Packing {
 }
 
 /// Puts the springs of an entry into lane `l`.
-fn load_points<R: Real>(group: &mut Group<R>, l: usize, entry: &Entry, manifold: &Manifold, (stiffness, damping): (f64, f64), h: f64) {
+fn load_points<R: Real>(
+    group: &mut Group<R>,
+    l: usize,
+    entry: &Entry,
+    manifold: &Manifold,
+    (stiffness, damping): (f64, f64),
+    h: f64,
+) {
     let levers = manifold.levers();
     group.counts[l] = entry.points.len() as u8;
     group.relaxation.0[l] = R::from_f64(damping / stiffness / h);

@@ -63,11 +63,13 @@ impl Clusters {
 
     /// Divides anew what has changed and what that may reach; returns whether a cluster is another.
     fn divide(&mut self, params: &Params, form: Form, changed: &[usize]) -> bool {
-        let reached = |c: usize| changed.contains(&c) || changed.iter().any(|&d| self.list[c].hull.overlaps(&self.list[d].hull));
+        let reached =
+            |c: usize| changed.contains(&c) || changed.iter().any(|&d| self.list[c].hull.overlaps(&self.list[d].hull));
         let involved: Vec<usize> = (0..self.list.len()).filter(|&c| reached(c)).collect();
         let mut ids: Vec<u32> = involved.iter().flat_map(|&c| self.list[c].ids.iter().copied()).collect();
         ids.sort_unstable();
-        let swept: Vec<Bound> = ids.iter().map(|&id| self.of(id)).map(|(cluster, i)| cluster.contacts.swept[i]).collect();
+        let swept: Vec<Bound> =
+            ids.iter().map(|&id| self.of(id)).map(|(cluster, i)| cluster.contacts.swept[i]).collect();
         let pairs = overlapping(&swept);
         let root = islands(ids.len(), pairs.iter().copied());
 
@@ -149,7 +151,8 @@ impl Clusters {
             let (cluster, _) = self.of_mut(part[0]);
             let contacts = &mut cluster.contacts;
             let unseen = |&(a, b): &(u32, u32)| contacts.find((a, b)).is_none();
-            let mut due: Vec<u32> = overlapping(&contacts.bounds).into_iter().filter(unseen).flat_map(|(a, b)| [a, b]).collect();
+            let mut due: Vec<u32> =
+                overlapping(&contacts.bounds).into_iter().filter(unseen).flat_map(|(a, b)| [a, b]).collect();
             due.sort_unstable();
             due.dedup();
             let (pairs, _) = contacts.candidates(&cluster.shapes, &mut cluster.bodies, &due, SWEEP_LEAST);

@@ -4,7 +4,9 @@ use glam::{DMat3, DVec3};
 
 use crate::body::world_tensor;
 use crate::form::{Form, Loading, Motion, Push, Taken, lanes};
-use crate::kernel::{Group, Lane, Row, add, cross, dot, load, load3, put3, row, row_mut, store3, vector, write_in_turn};
+use crate::kernel::{
+    Group, Lane, Row, add, cross, dot, load, load3, put3, row, row_mut, store3, vector, write_in_turn,
+};
 use crate::lanes::{Lanes, Real, Row as _};
 
 /// A body a lane.
@@ -149,7 +151,9 @@ impl<R: Real> Form<R> for Rigid<R> {
     fn relative<L: Lanes<Number = R>>(group: &Group<R>, part: usize, velocity: &[Row<R>], motion: &mut Turning<L>) {
         let first = L::WIDTH * part;
         // relative velocity at the reference point and relative spin, B over A; then at the centroid, along the frame
-        let d = L::columns(|l| L::Row::read(row(velocity, group.b[first + l])) - L::Row::read(row(velocity, group.a[first + l])));
+        let d = L::columns(|l| {
+            L::Row::read(row(velocity, group.b[first + l])) - L::Row::read(row(velocity, group.a[first + l]))
+        });
         let dw = [d[4], d[5], d[6]];
         let turning = cross(&dw, &load3(&group.arm, part));
         let dv = [d[0] + turning[0], d[1] + turning[1], d[2] + turning[2]];
@@ -187,7 +191,13 @@ impl<R: Real> Form<R> for Rigid<R> {
 
     /// Semi-implicit Euler: places with the velocity that the springs have just seen, then velocities with the forces.
     #[inline(always)]
-    fn integrate<L: Lanes<Number = R>>(&mut self, part: usize, velocity: &mut [Row<R>], force: &mut [Row<R>], load: &[Row<R>]) {
+    fn integrate<L: Lanes<Number = R>>(
+        &mut self,
+        part: usize,
+        velocity: &mut [Row<R>],
+        force: &mut [Row<R>],
+        load: &[Row<R>],
+    ) {
         let f = L::columns(|l| L::Row::read(&force[l].0));
         // row by row: the slice at once would be a call where registers hold four numbers, which takes 4 % longer
         for (to, from) in force.iter_mut().zip(load) {

@@ -5,8 +5,8 @@ use teeter_scene::{Form, Scene};
 
 use crate::body::Shapes;
 use crate::constants::{
-    AREA_RANGE, CROSSED_MOBILITY, MAXWELL_TIME, NOMINAL_MASS, REFERENCE_AREA, STEP_LIMIT, STRIBECK_SPEED, TANGENTIAL_DAMPING,
-    TANGENTIAL_STIFFNESS,
+    AREA_RANGE, CROSSED_MOBILITY, MAXWELL_TIME, NOMINAL_MASS, REFERENCE_AREA, STEP_LIMIT, STRIBECK_SPEED,
+    TANGENTIAL_DAMPING, TANGENTIAL_STIFFNESS,
 };
 use crate::kernel::Law;
 use crate::lanes::Real;
@@ -44,7 +44,8 @@ impl Setup {
     pub fn new(scene: &Scene, params: &Params, masses: Masses) -> Self {
         let zeta = damping_ratio(scene.restitution);
         let springs = (scene.form == Form::Lattice).then(|| Springs::new(scene));
-        let mobility = if springs.is_some() { crossed_mobility(scene.springs.particles.place()) } else { CROSSED_MOBILITY };
+        let mobility =
+            if springs.is_some() { crossed_mobility(scene.springs.particles.place()) } else { CROSSED_MOBILITY };
         let contact = step_fraction(zeta, mobility) * (masses.step / scene.stiffness).sqrt();
         let longest = springs.map_or(contact, |springs| contact.min(springs.longest_step(masses.least)));
         let substeps = (params.frame / longest).ceil().max(1.0) as usize;

@@ -105,7 +105,8 @@ impl World {
             whole.shapes.push(&cluster.shapes, i);
         }
         whole.bodies = state.bodies;
-        whole.bodies.stretch = particles.iter().zip(&whole.shapes.particles).map(|(p, &half)| p.stretch(half)).collect();
+        whole.bodies.stretch =
+            particles.iter().zip(&whole.shapes.particles).map(|(p, &half)| p.stretch(half)).collect();
         whole.particles = particles;
         whole.contacts = state.contacts;
         let (parts, outgrown): (Vec<_>, Vec<_>) = state.clusters.into_iter().unzip();

@@ -38,7 +38,13 @@ impl World {
         #[cfg(feature = "parallel")]
         if self.clusters.list.iter().filter(|cluster| cluster.is_awake()).nth(1).is_some() {
             use rayon::prelude::*;
-            return self.clusters.list.par_iter_mut().zip(acts).map(|(cluster, acts)| cluster.step(&frame, acts)).collect();
+            return self
+                .clusters
+                .list
+                .par_iter_mut()
+                .zip(acts)
+                .map(|(cluster, acts)| cluster.step(&frame, acts))
+                .collect();
         }
         self.clusters.list.iter_mut().zip(acts).map(|(cluster, acts)| cluster.step(&frame, acts)).collect()
     }

@@ -44,7 +44,10 @@ impl<R: Real> Ways<R> {
 }
 
 /// What the points of a group have done along their tangents, from the ways of the bodies laid out as velocities.
-fn along<L: Lanes, F: Form<L::Number>>(group: &Group<L::Number>, rows: &[Row<L::Number>]) -> [[Lane<L::Number>; 2]; SLOTS] {
+fn along<L: Lanes, F: Form<L::Number>>(
+    group: &Group<L::Number>,
+    rows: &[Row<L::Number>],
+) -> [[Lane<L::Number>; 2]; SLOTS] {
     let mut ways = <[[Lane<L::Number>; 2]; SLOTS]>::default();
     for part in 0..LANES / L::WIDTH {
         let mut motion = F::Motion::<L>::still();

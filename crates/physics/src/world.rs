@@ -195,7 +195,9 @@ impl World {
             let Cluster { shapes, bodies, particles, .. } = cluster;
             shapes.set_form(form, springs.particles);
             if refit {
-                let of = |i: usize, &half: &DVec3| Particles::of_rigid(half, bodies.orientation[i], bodies.velocity[i], bodies.spin[i]);
+                let of = |i: usize, &half: &DVec3| {
+                    Particles::of_rigid(half, bodies.orientation[i], bodies.velocity[i], bodies.spin[i])
+                };
                 *particles = shapes.particles.iter().enumerate().map(|(i, half)| of(i, half)).collect();
                 bodies.stretch = vec![DMat3::IDENTITY; particles.len()];
             }

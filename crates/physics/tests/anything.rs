@@ -12,18 +12,21 @@ use teeter_scene::{Block, Form, Particles, Scene, Springs, TowerOptions, field};
 fn any_form() -> impl Strategy<Value = (Form, Springs)> {
     let particles = prop_oneof![Just(Particles::Inside), Just(Particles::Corners)];
     let springs = (prop_oneof![Just(1e3), Just(3e4), Just(1e6), Just(1e7)], 0.01..0.5f64, particles);
-    let lattice =
-        springs.prop_map(|(stiffness, damping, particles)| (Form::Lattice, Springs { stiffness: Some(stiffness), damping, particles }));
+    let lattice = springs.prop_map(|(stiffness, damping, particles)| {
+        (Form::Lattice, Springs { stiffness: Some(stiffness), damping, particles })
+    });
     prop_oneof![2 => Just((Form::Rigid, Springs::default())), 1 => lattice]
 }
 
 /// Some small towers, with blocks of any size in the air above and beside them.
 fn any_scene() -> impl Strategy<Value = Scene> {
-    let loose = (prop::array::uniform3(0.01..0.08f64), 0.005..0.05f64, prop::array::uniform2(-0.5..0.5f64), 0.0..3.0f64);
+    let loose =
+        (prop::array::uniform3(0.01..0.08f64), 0.005..0.05f64, prop::array::uniform2(-0.5..0.5f64), 0.0..3.0f64);
     let stiffness = prop_oneof![Just(3e5), Just(1e6)];
     (1u32..4, 1u32..6, any::<u64>(), 0.0..1.0f64, stiffness, any_form(), prop::collection::vec(loose, 0..12)).prop_map(
         |(towers, rows, seed, restitution, stiffness, form, loose)| {
-            let mut scene = field(towers, &TowerOptions { rows, seed, restitution, ..TowerOptions::default() }).unwrap();
+            let mut scene =
+                field(towers, &TowerOptions { rows, seed, restitution, ..TowerOptions::default() }).unwrap();
             scene.stiffness = stiffness;
             (scene.form, scene.springs) = form;
             for (i, (size, mass, [x, y], yaw)) in loose.into_iter().enumerate() {
@@ -62,14 +65,26 @@ fn input(act: &Act, world: &World) -> Input {
     let body = |i: u32| i % world.len() as u32;
     match *act {
         Act::Nothing => Input::default(),
-        Act::Drive(i, velocity) => {
-            Input { drives: vec![Drive { body: body(i), velocity, max_force: Drive::default_force() }], ..Input::default() }
+        Act::Drive(i, velocity) => Input {
+            drives: vec![Drive { body: body(i), velocity, max_force: Drive::default_force() }],
+            ..Input::default()
+        },
+        Act::Force(i, point, force) => {
+            Input { forces: vec![AppliedForce { body: body(i), point, force }], ..Input::default() }
         }
-        Act::Force(i, point, force) => Input { forces: vec![AppliedForce { body: body(i), point, force }], ..Input::default() },
         Act::Hand(i, ahead, grip) => {
             let target = common::position(world, body(i) as usize) + ahead;
             let (max_force, max_torque) = (Hand::default_force(), Hand::default_torque());
-            let hand = Hand { body: body(i), anchor: DVec3::ZERO, target, orientation: None, grip, axis: DVec3::X, max_force, max_torque };
+            let hand = Hand {
+                body: body(i),
+                anchor: DVec3::ZERO,
+                target,
+                orientation: None,
+                grip,
+                axis: DVec3::X,
+                max_force,
+                max_torque,
+            };
             Input { hand: Some(hand), ..Input::default() }
         }
     }

@@ -20,7 +20,10 @@ fn two(apart: f64) -> (Scene, Scene) {
 /// A row of the first tower is swept out at 1.5 m/s.
 fn sweep(frame: u32) -> Input {
     let drive = |body| Drive { body, velocity: DVec3::new(0.0, 1.5, 0.0), max_force: 50.0 };
-    Input { drives: if (30..40).contains(&frame) { (3..6).map(drive).collect() } else { Vec::new() }, ..Input::default() }
+    Input {
+        drives: if (30..40).contains(&frame) { (3..6).map(drive).collect() } else { Vec::new() },
+        ..Input::default()
+    }
 }
 
 #[test]
@@ -56,7 +59,8 @@ fn what_is_shot_from_afar_hits_and_goes_through_nothing() {
         for _ in 0..120 {
             deepest = deepest.max(world.step(&Input { gravity: Some(DVec3::ZERO), ..Input::default() }).penetration);
         }
-        let moved = (0..shot).map(|i| (position(&world, i) - DVec3::from_slice(&before[7 * i..])).length()).fold(0.0, f64::max);
+        let moved =
+            (0..shot).map(|i| (position(&world, i) - DVec3::from_slice(&before[7 * i..])).length()).fold(0.0, f64::max);
         assert!(moved > 0.01, "at {speed} m/s nothing was hit");
         assert!(deepest < 2e-3, "at {speed} m/s it was inside by {} mm", deepest * 1e3);
         assert!(position(&world, shot).x > -0.1 || moved > 0.1, "at {speed} m/s it came out behind the tower");

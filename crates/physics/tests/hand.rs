@@ -106,7 +106,11 @@ fn a_hand_that_draws_a_block_takes_half_of_its_weight() {
         let mut felt = DVec3::ZERO;
         for i in 1..=30 {
             let target = hand.target + DVec3::X * (0.02 * f64::from(i) / 60.0);
-            felt = world.step(&Input { hand: Some(Hand { target, ..hand.clone() }), ..Input::default() }).hand.unwrap().force;
+            felt = world
+                .step(&Input { hand: Some(Hand { target, ..hand.clone() }), ..Input::default() })
+                .hand
+                .unwrap()
+                .force;
         }
         let weight = MASS * G;
         assert!((felt.z / weight - 0.5).abs() < 0.05, "it lifts by {} of the weight", felt.z / weight);
@@ -124,7 +128,11 @@ fn a_block_held_by_its_end_hangs_level() {
         let tilt = (orientation(&world, 0) * DVec3::X).z;
         assert!(tilt.abs() < 1e-6, "it hangs by {tilt} rad");
         let end = position(&world, 0) + orientation(&world, 0) * hand.anchor;
-        assert!((end - hand.target).length() < 1e-8, "its end is {} from where it is wanted", (end - hand.target).length());
+        assert!(
+            (end - hand.target).length() < 1e-8,
+            "its end is {} from where it is wanted",
+            (end - hand.target).length()
+        );
     }
 }
 
@@ -237,7 +245,11 @@ fn a_middle_block_yanked_at_5_m_s_overlaps_nothing_by_a_millimetre() {
                 let comes_down = direction == DVec3::Z && i > 60;
                 assert!(report.quarantined.is_empty());
                 let allowed = if comes_down { 2e-3 } else { 1e-3 };
-                assert!(report.penetration < allowed, "seed {seed}, {direction}, frame {i}: {} mm", report.penetration * 1e3);
+                assert!(
+                    report.penetration < allowed,
+                    "seed {seed}, {direction}, frame {i}: {} mm",
+                    report.penetration * 1e3
+                );
                 assert!(report.max_speed < 10.0, "{} m/s", report.max_speed);
                 assert!(world.poses().iter().all(|x| x.is_finite()));
             }

@@ -226,7 +226,8 @@ fn stiff_springs_fall_as_rigid_blocks_do() {
     };
     let scene = blocks(&[[0.0, 0.0, 0.009], [0.048, 0.0, 0.027]]);
     let rigid = fall(&scene);
-    let [soft, middle, stiff] = [1e3, 1e4, 1e5].map(|stiffness| (fall(&springs_of(stiffness, scene.clone())) - rigid).length());
+    let [soft, middle, stiff] =
+        [1e3, 1e4, 1e5].map(|stiffness| (fall(&springs_of(stiffness, scene.clone())) - rigid).length());
     assert!(middle < 0.2 * soft && stiff < 0.2 * middle && stiff < 1e-6, "{soft} {middle} {stiff} m");
 }
 
@@ -294,7 +295,10 @@ fn a_snapshot_holds_the_springs() {
     let mut rigid = World::new(&column(3), awake()).unwrap();
     assert_eq!(rigid.restore(&state).unwrap_err().to_string(), "not a snapshot of this world: its blocks have springs");
     let rigid_state = rigid.snapshot();
-    assert_eq!(world.restore(&rigid_state).unwrap_err().to_string(), "not a snapshot of this world: its blocks are rigid");
+    assert_eq!(
+        world.restore(&rigid_state).unwrap_err().to_string(),
+        "not a snapshot of this world: its blocks are rigid"
+    );
 }
 
 #[test]
@@ -351,7 +355,8 @@ fn a_column_is_pulled_apart_at_coulombs_force() {
         let start = position(&world, 3);
         for step in 0..180 {
             let force = DVec3::X * (share * pull * f64::from(step + 1).min(120.0) / 120.0);
-            world.step(&Input { forces: vec![AppliedForce { body: 3, point: DVec3::ZERO, force }], ..Input::default() });
+            world
+                .step(&Input { forces: vec![AppliedForce { body: 3, point: DVec3::ZERO, force }], ..Input::default() });
         }
         (position(&world, 3) - start).x
     };

@@ -83,7 +83,9 @@ fn what_a_sleeper_rests_on_cannot_be_taken_away_unnoticed() {
 
 #[test]
 fn neighbours_that_do_not_touch_let_each_other_sleep() {
-    let mut world = World::new(&blocks(&[[0.0, 0.0, 0.009], [0.0, 0.026803, 0.009], [0.0, -0.026803, 0.009]]), Params::default()).unwrap();
+    let mut world =
+        World::new(&blocks(&[[0.0, 0.0, 0.009], [0.0, 0.026803, 0.009], [0.0, -0.026803, 0.009]]), Params::default())
+            .unwrap();
     run(&mut world, 0.5, &Input::default());
     // one comes to rest later than the others
     world.set_velocity(0, DVec3::new(0.05, 0.0, 0.0), DVec3::ZERO);
@@ -96,7 +98,13 @@ fn sleep_never_stops_what_is_falling_slowly() {
     // a block that stands on its end, out of balance by 10 um at the top: it stays below 0.05 m/s for most of a second
     let half = 0.0405;
     let scene = Scene {
-        blocks: vec![teeter_scene::Block { id: 0, size: [0.002, 0.0268, 0.081], mass: 0.002, pos: [0.0, 0.0, half], yaw: 0.0 }],
+        blocks: vec![teeter_scene::Block {
+            id: 0,
+            size: [0.002, 0.0268, 0.081],
+            mass: 0.002,
+            pos: [0.0, 0.0, half],
+            yaw: 0.0,
+        }],
         ..one()
     };
     let mut world = World::new(&scene, Params::default()).unwrap();

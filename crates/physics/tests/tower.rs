@@ -72,7 +72,8 @@ fn the_configurations_of_the_dissertation_stand_or_fall_as_they_did() {
 fn towers_with_exact_answers_are_judged_right() {
     let path = concat!(env!("CARGO_MANIFEST_DIR"), "/../../data/oracle/config.jsonl.gz");
     let mut text = String::new();
-    std::io::Read::read_to_string(&mut flate2::read::GzDecoder::new(std::fs::File::open(path).unwrap()), &mut text).unwrap();
+    std::io::Read::read_to_string(&mut flate2::read::GzDecoder::new(std::fs::File::open(path).unwrap()), &mut text)
+        .unwrap();
     let scenes: Vec<_> = text.lines().map(|line| teeter_scene::Scene::from_json(line).unwrap()).collect();
     assert_eq!(scenes.len(), 400);
     let (next, clear, close) = (AtomicUsize::new(0), AtomicUsize::new(0), AtomicUsize::new(0));

@@ -56,7 +56,9 @@ pub enum SceneError {
         expected: String,
     },
     /// Two blocks have the same id.
-    #[error("block {id}: `id` is used twice, by the blocks at places {first} and {second} of the list, expected one block an id")]
+    #[error(
+        "block {id}: `id` is used twice, by the blocks at places {first} and {second} of the list, expected one block an id"
+    )]
     DuplicateId {
         /// The id.
         id: u32,

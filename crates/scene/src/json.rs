@@ -30,7 +30,8 @@ impl Scene {
     ///
     /// A scene with values that are not finite, which `validate` refuses, has no JSON; they are written as `null`.
     pub fn to_json(&self) -> String {
-        serde_json::to_string(self).expect("a scene has no maps with keys other than text, and writing to memory does not fail")
+        serde_json::to_string(self)
+            .expect("a scene has no maps with keys other than text, and writing to memory does not fail")
     }
 
     /// The scene in the bytes of `reader`, checked. Reading stops as soon as there are more than `limit` bytes.

@@ -55,7 +55,9 @@ const fn entry(name: &'static str, title: &'static str, expect: Option<Verdict>,
 
 /// All named scenes.
 pub const NAMED: &[NamedScene] = &[
-    entry("tower", "the tower of 18 rows that a game begins with", Some(Stable), || known(tower(&TowerOptions::default()))),
+    entry("tower", "the tower of 18 rows that a game begins with", Some(Stable), || {
+        known(tower(&TowerOptions::default()))
+    }),
     entry("official", "the same in blocks of 75 x 25 x 15 mm", Some(Stable), || {
         known(tower(&TowerOptions { block: BlockPreset::Official, ..TowerOptions::default() }))
     }),
@@ -64,12 +66,24 @@ pub const NAMED: &[NamedScene] = &[
         exact("(010)-(010)-(010)-(010)-(010)-(010)")
     }),
     entry("test-2", "(001)-(010)-(001), its second: short of balance by 0.15 mm", Some(Unstable), || test_2(0.0)),
-    entry("test-2-in", "the second with the top block 1 mm further in: short of balance by 0.65 mm", Some(Unstable), || test_2(-1e-3)),
-    entry("test-2-out", "the second with the top block 1 mm further out: balanced, 0.35 mm to spare", Some(Stable), || test_2(1e-3)),
+    entry(
+        "test-2-in",
+        "the second with the top block 1 mm further in: short of balance by 0.65 mm",
+        Some(Unstable),
+        || test_2(-1e-3),
+    ),
+    entry(
+        "test-2-out",
+        "the second with the top block 1 mm further out: balanced, 0.35 mm to spare",
+        Some(Stable),
+        || test_2(1e-3),
+    ),
     entry("test-3", "(001)-(101)-(001), its third", Some(Unstable), || exact("(001)-(101)-(001)")),
     entry("test-4", "(100)-(010)-(001), its fourth", Some(Unstable), || exact("(100)-(010)-(001)")),
     entry("test-5", "(010)-(010)-(011), its fifth", Some(Stable), || exact("(010)-(010)-(011)")),
-    entry("test-6", "(010)-(010)-(011)-(010)-(001), its sixth", Some(Stable), || exact("(010)-(010)-(011)-(010)-(001)")),
+    entry("test-6", "(010)-(010)-(011)-(010)-(001), its sixth", Some(Stable), || {
+        exact("(010)-(010)-(011)-(010)-(001)")
+    }),
     entry("loose", "six full rows with the loose blocks (L00)-(00L)-(00L)-(0L0)-(L0L)-(LLL)", Some(Stable), || {
         known(tower::loose("(L00)-(00L)-(00L)-(0L0)-(L0L)-(LLL)", &TowerOptions::exact()))
     }),
@@ -149,8 +163,7 @@ const ROUNDING: f64 = 1e-12;
 
 /// Blocks taken from the lower rows and put on top, none of them laid quite straight.
 fn midgame() -> Scene {
-    let text =
-        "(111)-(101)-(111)-(110)-(101)-(011)-(111)-(010)-(111)-(101)-(111)-(110)-(101)-(111)-(011)-(111)-(101)-(111)-(111)-(111)-(011)";
+    let text = "(111)-(101)-(111)-(110)-(101)-(011)-(111)-(010)-(111)-(101)-(111)-(110)-(101)-(111)-(011)-(111)-(101)-(111)-(111)-(111)-(011)";
     let mut scene = known(tower::config(text, &TowerOptions { seed: 2, ..TowerOptions::default() }));
     let mut random = Random::new(2);
     for i in 0..scene.blocks.len() {
@@ -158,7 +171,8 @@ fn midgame() -> Scene {
         let along_x = straight.yaw == 0.0;
         let mut slop = 1.0;
         loop {
-            let (along, across, turn) = (random.clipped_normal(2.0), random.clipped_normal(2.0), random.clipped_normal(2.0));
+            let (along, across, turn) =
+                (random.clipped_normal(2.0), random.clipped_normal(2.0), random.clipped_normal(2.0));
             let (along, across) = (1e-3 * slop * along, 0.5e-3 * slop * across);
             let (dx, dy) = if along_x { (along, across) } else { (across, along) };
             let block = &mut scene.blocks[i];

@@ -59,7 +59,11 @@ impl FromStr for Notation {
         })?;
         for (i, row) in rows.iter().enumerate() {
             if row == &[Cell::Absent; 3] {
-                return Err(SceneError::Notation { row: i + 1, text: "(000)".into(), expected: "at least one block in every row" });
+                return Err(SceneError::Notation {
+                    row: i + 1,
+                    text: "(000)".into(),
+                    expected: "at least one block in every row",
+                });
             }
         }
         Ok(Self { rows })
@@ -83,7 +87,11 @@ impl fmt::Display for Notation {
     }
 }
 
-fn split(text: &str, expected: &'static str, cell: impl Fn(char) -> Option<Cell>) -> Result<Vec<[Cell; 3]>, SceneError> {
+fn split(
+    text: &str,
+    expected: &'static str,
+    cell: impl Fn(char) -> Option<Cell>,
+) -> Result<Vec<[Cell; 3]>, SceneError> {
     let mut rows = Vec::new();
     for (i, part) in text.split('-').enumerate() {
         let part = part.trim();
@@ -92,7 +100,8 @@ fn split(text: &str, expected: &'static str, cell: impl Fn(char) -> Option<Cell>
             return Err(wrong("at most 200 rows"));
         }
         let inner = part.strip_prefix('(').and_then(|p| p.strip_suffix(')')).ok_or_else(|| wrong(expected))?;
-        let cells: Vec<Cell> = inner.chars().take(4).map(&cell).collect::<Option<_>>().ok_or_else(|| wrong(expected))?;
+        let cells: Vec<Cell> =
+            inner.chars().take(4).map(&cell).collect::<Option<_>>().ok_or_else(|| wrong(expected))?;
         rows.push(cells.try_into().map_err(|_| wrong(expected))?);
     }
     Ok(rows)

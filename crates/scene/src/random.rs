@@ -61,7 +61,10 @@ mod tests {
     fn matches_the_reference() {
         let mut r = Random::new(1234567);
         let got: Vec<u64> = (0..5).map(|_| r.bits()).collect();
-        assert_eq!(got, [6457827717110365317, 3203168211198807973, 9817491932198370423, 4593380528125082431, 16408922859458223821]);
+        assert_eq!(
+            got,
+            [6457827717110365317, 3203168211198807973, 9817491932198370423, 4593380528125082431, 16408922859458223821]
+        );
     }
 
     /// A target whose logarithm or square root rounds differently would build another tower from the same seed.

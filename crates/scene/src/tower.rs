@@ -69,7 +69,8 @@ impl TowerOptions {
     }
 
     fn check(&self, rows: usize) -> Result<f64, SceneError> {
-        let bad = |field, value: f64, expected: String| Err(SceneError::Field { field, value: value.to_string(), expected });
+        let bad =
+            |field, value: f64, expected: String| Err(SceneError::Field { field, value: value.to_string(), expected });
         if !(1..=MAX_ROWS as usize).contains(&rows) {
             return bad("rows", rows as f64, format!("1 to {MAX_ROWS}"));
         }

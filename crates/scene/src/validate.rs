@@ -27,7 +27,9 @@ impl Scene {
         self.validate_blocks()?;
         self.validate_ids()?;
         match overlap::first(&self.blocks, MAX_OVERLAP) {
-            Some((i, j, depth)) => Err(SceneError::Overlap { a: self.blocks[i].id, b: self.blocks[j].id, depth_mm: depth * 1e3 }),
+            Some((i, j, depth)) => {
+                Err(SceneError::Overlap { a: self.blocks[i].id, b: self.blocks[j].id, depth_mm: depth * 1e3 })
+            }
             None => Ok(()),
         }
     }
@@ -66,7 +68,8 @@ impl Scene {
             return Err(SceneError::Field { field: "blocks", value, expected: format!("1 to {MAX_BLOCKS} blocks") });
         }
         for b in &self.blocks {
-            let bad = |field, value: String, expected: String| Err(SceneError::Block { id: b.id, field, value, expected });
+            let bad =
+                |field, value: String, expected: String| Err(SceneError::Block { id: b.id, field, value, expected });
             if !b.size.iter().all(|l| (EDGE.0..=EDGE.1).contains(l)) {
                 return bad("size", triple(b.size), format!("three lengths of {} to {} m", EDGE.0, EDGE.1));
             }

@@ -58,11 +58,20 @@ fn missing_fields() {
 
 #[test]
 fn values_of_the_wrong_kind() {
-    assert!(with("/blocks/1/mass", Some(json!("heavy"))).starts_with("block 9: `mass`: invalid type: string \"heavy\", expected f64"));
+    assert!(
+        with("/blocks/1/mass", Some(json!("heavy")))
+            .starts_with("block 9: `mass`: invalid type: string \"heavy\", expected f64")
+    );
     assert!(with("/blocks/1/pos", Some(json!([0.0, 1.0]))).starts_with("block 9: `pos`: invalid length 2"));
-    assert!(with("/blocks/1/id", Some(json!(-1))).starts_with("block at place 1 of the list: `id`: invalid value: integer `-1`"));
+    assert!(
+        with("/blocks/1/id", Some(json!(-1)))
+            .starts_with("block at place 1 of the list: `id`: invalid value: integer `-1`")
+    );
     assert!(with("/friction", Some(Value::Null)).starts_with("`friction`: invalid type: null"));
-    assert!(with("/stiffness", Some(json!("stiff"))).starts_with("`stiffness`: invalid type: string \"stiff\", expected f64"));
+    assert!(
+        with("/stiffness", Some(json!("stiff")))
+            .starts_with("`stiffness`: invalid type: string \"stiff\", expected f64")
+    );
     assert!(with("/blocks", Some(json!({}))).starts_with("`blocks`: invalid type: map, expected a sequence"));
 }
 
@@ -108,10 +117,16 @@ fn not_finite() {
 fn values_out_of_range() {
     for bad in [0.0, -0.01, 10.5, 1e-4] {
         let error = with("/blocks/1/size/1", Some(json!(bad)));
-        assert_eq!(error, format!("block 9: `size` is [0.081, {bad}, 0.018] m, expected three lengths of 0.001 to 10 m"));
+        assert_eq!(
+            error,
+            format!("block 9: `size` is [0.081, {bad}, 0.018] m, expected three lengths of 0.001 to 10 m")
+        );
     }
     for bad in [0.0, -1.0] {
-        assert_eq!(with("/blocks/1/mass", Some(json!(bad))), format!("block 9: `mass` is {bad} kg, expected above 0 and at most 10000 kg"));
+        assert_eq!(
+            with("/blocks/1/mass", Some(json!(bad))),
+            format!("block 9: `mass` is {bad} kg, expected above 0 and at most 10000 kg")
+        );
     }
     for (field, bad, expected) in [
         ("gravity", -1.0, "0 to 100 m/s²"),
@@ -138,14 +153,20 @@ fn values_out_of_range() {
 #[test]
 fn blocks_where_no_block_can_be() {
     let error = with("/blocks/0/pos/2", Some(json!(0.008)));
-    assert_eq!(error, "block 7: `pos` is 8.000 mm above the floor at its centre, expected at least half its height, 9.000 mm");
+    assert_eq!(
+        error,
+        "block 7: `pos` is 8.000 mm above the floor at its centre, expected at least half its height, 9.000 mm"
+    );
     let error = with("/blocks/1/pos/2", Some(json!(0.0265)));
     assert_eq!(error, "blocks 7 and 9: `pos` makes them overlap by 0.500 mm, expected at most 0.001 mm");
     let mut touching = good();
     touching["blocks"][1]["pos"][2] = json!(0.0269995);
     assert!(Scene::from_json(&touching.to_string()).is_ok(), "half a micrometre is rounding");
     let error = with("/blocks/1/id", Some(json!(7)));
-    assert_eq!(error, "block 7: `id` is used twice, by the blocks at places 0 and 1 of the list, expected one block an id");
+    assert_eq!(
+        error,
+        "block 7: `id` is used twice, by the blocks at places 0 and 1 of the list, expected one block an id"
+    );
 }
 
 #[test]

@@ -79,7 +79,10 @@ fn faults_name_the_row_and_what_was_expected() {
         assert_eq!(error, format!("row {row} of the configuration is `{found}`, expected {expected}"));
     }
     let error = loose("(L00)-(100)", &TowerOptions::exact()).unwrap_err().to_string();
-    assert_eq!(error, "row 2 of the configuration is `(100)`, expected three of 0 (ordinary) and L (loose) in brackets, such as (0L0)");
+    assert_eq!(
+        error,
+        "row 2 of the configuration is `(100)`, expected three of 0 (ordinary) and L (loose) in brackets, such as (0L0)"
+    );
     let error = config(&["(010)"; 201].join("-"), &TowerOptions::exact()).unwrap_err().to_string();
     assert_eq!(error, "row 201 of the configuration is `(010)`, expected at most 200 rows");
 }

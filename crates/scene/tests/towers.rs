@@ -5,13 +5,8 @@ use teeter_scene::{Block, BlockPreset, Scene, TowerOptions, overlap, tower};
 
 fn any_tower() -> impl Strategy<Value = TowerOptions> {
     let block = prop_oneof![Just(BlockPreset::Dissertation), Just(BlockPreset::Official)];
-    (1u32..=40, any::<u64>(), block, 0.0..1e-3f64, 0.0..=2.0f64).prop_map(|(rows, seed, block, height_sd, friction)| TowerOptions {
-        rows,
-        seed,
-        block,
-        height_sd,
-        friction,
-        ..TowerOptions::default()
+    (1u32..=40, any::<u64>(), block, 0.0..1e-3f64, 0.0..=2.0f64).prop_map(|(rows, seed, block, height_sd, friction)| {
+        TowerOptions { rows, seed, block, height_sd, friction, ..TowerOptions::default() }
     })
 }
 

@@ -190,8 +190,10 @@ impl<'a> Rigid<'a> {
         let blocks = &self.scene.blocks;
         let mut problem = Problem::new(OptimizationDirection::Minimize);
         let free = (f64::NEG_INFINITY, f64::INFINITY);
-        let unknowns: Vec<[Variable; 3]> =
-            blocks.iter().map(|b| [b.mass * self.scene.gravity, 0.0, 0.0].map(|weight| problem.add_var(weight, free))).collect();
+        let unknowns: Vec<[Variable; 3]> = blocks
+            .iter()
+            .map(|b| [b.mass * self.scene.gravity, 0.0, 0.0].map(|weight| problem.add_var(weight, free)))
+            .collect();
         for point in &self.points {
             let mut row = LinearExpr::empty();
             point.acts(|body, sign| {
@@ -203,7 +205,8 @@ impl<'a> Rigid<'a> {
             problem.add_constraint(row, ComparisonOp::Ge, -point.gap / UNIT);
         }
         let solution = solve(problem)?;
-        let values = unknowns.iter().map(|u| DVec3::from(u.map(|v| solution.var_value(v))) * DVec3::new(UNIT, 1.0, 1.0));
+        let values =
+            unknowns.iter().map(|u| DVec3::from(u.map(|v| solution.var_value(v))) * DVec3::new(UNIT, 1.0, 1.0));
         Ok(values.collect())
     }
 
@@ -270,7 +273,8 @@ impl<'a> Rigid<'a> {
                 weight += block.mass;
                 moment += block.mass * center(block);
             }
-            let loaded = self.points.iter().zip(&self.forces).filter(|&(p, &f)| bears(p) && f > NONE).map(|(p, _)| p.place);
+            let loaded =
+                self.points.iter().zip(&self.forces).filter(|&(p, &f)| bears(p) && f > NONE).map(|(p, _)| p.place);
             let region = hull(&loaded.collect::<Vec<_>>());
             for direction in [axis, -axis] {
                 let way = way_within(&region, moment / weight, direction).unwrap_or(0.0);
@@ -290,7 +294,8 @@ impl<'a> Rigid<'a> {
         let mut problem = Problem::new(OptimizationDirection::Maximize);
         let pull = problem.add_var(1.0, (0.0, f64::INFINITY));
         // force along x, along y, moment about z
-        let mut rows: Vec<[LinearExpr; 3]> = blocks.iter().map(|_| std::array::from_fn(|_| LinearExpr::empty())).collect();
+        let mut rows: Vec<[LinearExpr; 3]> =
+            blocks.iter().map(|_| std::array::from_fn(|_| LinearExpr::empty())).collect();
         let axis = long_axis(&blocks[block]);
         rows[block][0].add(pull, axis.x);
         rows[block][1].add(pull, axis.y);
@@ -345,8 +350,10 @@ impl<'a> Rigid<'a> {
     /// The same if it cannot turn: mu (N below + the lesser of N above and of N above its row mates), N.
     pub fn straight_pull(&self, block: usize) -> f64 {
         let blocks = &self.scene.blocks;
-        let mates = (0..blocks.len()).filter(|&j| j != block && (bottom(&blocks[j]) - bottom(&blocks[block])).abs() < NEAR);
-        self.scene.friction * (self.force_below(block) + self.force_above(block).min(mates.map(|j| self.force_above(j)).sum()))
+        let mates =
+            (0..blocks.len()).filter(|&j| j != block && (bottom(&blocks[j]) - bottom(&blocks[block])).abs() < NEAR);
+        self.scene.friction
+            * (self.force_below(block) + self.force_above(block).min(mates.map(|j| self.force_above(j)).sum()))
     }
 }
 
@@ -366,7 +373,9 @@ impl Point {
 }
 
 fn solve(problem: Problem) -> Result<microlp::Solution, NoAnswer> {
-    let solved = problem.solve().map_err(|e| if e == microlp::Error::Infeasible { NoAnswer::Falls } else { NoAnswer::Unsolved })?;
+    let solved = problem
+        .solve()
+        .map_err(|e| if e == microlp::Error::Infeasible { NoAnswer::Falls } else { NoAnswer::Unsolved })?;
     solved.into_solution().map_err(|_| NoAnswer::Unsolved)
 }
 
@@ -375,7 +384,8 @@ fn held(scene: &Scene) -> Result<(Vec<Point>, f64), NoAnswer> {
     let points = touching(&scene.blocks);
     let mut problem = Problem::new(OptimizationDirection::Minimize);
     let forces: Vec<Variable> = points.iter().map(|p| problem.add_var(p.gap / UNIT, (0.0, f64::INFINITY))).collect();
-    let mut rows: Vec<[LinearExpr; 3]> = scene.blocks.iter().map(|_| std::array::from_fn(|_| LinearExpr::empty())).collect();
+    let mut rows: Vec<[LinearExpr; 3]> =
+        scene.blocks.iter().map(|_| std::array::from_fn(|_| LinearExpr::empty())).collect();
     for (point, &force) in points.iter().zip(&forces) {
         point.acts(|body, sign| {
             let lever = point.lever(&scene.blocks[body]);
@@ -420,7 +430,8 @@ fn touching(blocks: &[Block]) -> Vec<Point> {
     let mut points = Vec::new();
     let mut regions = 0;
     for (above, block) in blocks.iter().enumerate() {
-        let lower = (0..blocks.len()).filter(|&i| i != above && (bottom(block) - top(&blocks[i])).abs() < NEAR).map(Some);
+        let lower =
+            (0..blocks.len()).filter(|&i| i != above && (bottom(block) - top(&blocks[i])).abs() < NEAR).map(Some);
         let floor = (bottom(block) < NEAR).then_some(None);
         for below in lower.chain(floor) {
             let (region, base) = match below.map(|i| &blocks[i]) {
@@ -433,7 +444,15 @@ fn touching(blocks: &[Block]) -> Vec<Point> {
             }
             let (area, lever, number) = (area(&region) / region.len() as f64, lever(&region), regions);
             regions += 1;
-            points.extend(region.into_iter().map(|place| Point { below, above, place, gap, area, region: number, lever }));
+            points.extend(region.into_iter().map(|place| Point {
+                below,
+                above,
+                place,
+                gap,
+                area,
+                region: number,
+                lever,
+            }));
         }
     }
     points
@@ -453,7 +472,10 @@ mod tests {
             let rigid = Rigid::new(&scene).unwrap();
             let weight: f64 = scene.blocks[3..].iter().map(|b| b.mass * scene.gravity).sum();
             let borne: f64 = (0..3).map(|i| rigid.force_above(i)).sum();
-            assert!((borne / weight - 1.0).abs() < 1e-5, "{block}, seed {seed}: the lowest row bears {borne} of {weight} N");
+            assert!(
+                (borne / weight - 1.0).abs() < 1e-5,
+                "{block}, seed {seed}: the lowest row bears {borne} of {weight} N"
+            );
         }
     }
 
@@ -472,7 +494,8 @@ mod tests {
             let springs = rigid.on_springs().unwrap();
             let weight = 3.0 * scene.blocks[0].mass * scene.gravity;
             // three springs under the weight of a row, of which the middle is shorter; 9 patches above, and as much give on the floor, three times the area
-            let own = 1.0 / (1.0 / (3.0 * k) + 1.0 / (k * scene.blocks[1].size[0] * scene.blocks[1].size[1] / REFERENCE_AREA));
+            let own = 1.0
+                / (1.0 / (3.0 * k) + 1.0 / (k * scene.blocks[1].size[0] * scene.blocks[1].size[1] / REFERENCE_AREA));
             let expected = ((weight - 2.0 * own * low) / 3.0).max(0.0);
             let force = springs.force_above(1);
             assert!((force - expected).abs() < 0.01 * weight, "{k:e}: {force} instead of {expected}");
@@ -495,7 +518,9 @@ mod tests {
             assert!((answer.turning_n / expected - 1.0).abs() < 1e-6, "{i}: {answer:?} instead of {expected}");
             // 7 mu m g at the middle of the fourth block against m g times half a length at the lowest
             let tipping = 10.0 * weight * 0.0405 / (0.018 * (i as f64 + 0.5));
-            let tipping = (0..i).map(|j| (10 - j) as f64 * weight * 0.0405 / (0.018 * ((i - j) as f64 + 0.5))).fold(tipping, f64::min);
+            let tipping = (0..i)
+                .map(|j| (10 - j) as f64 * weight * 0.0405 / (0.018 * ((i - j) as f64 + 0.5)))
+                .fold(tipping, f64::min);
             assert!((answer.tipping_n.unwrap() / tipping - 1.0).abs() < 1e-6, "{i}: {answer:?} instead of {tipping}");
             assert_eq!(answer.is_exact(), tipping > expected);
         }
@@ -506,7 +531,8 @@ mod tests {
     fn forces_and_places_of_the_tower_are_duals() {
         let scene = tower(&TowerOptions::default()).unwrap();
         let rigid = Rigid::new(&scene).unwrap();
-        let come_down: f64 = scene.blocks.iter().zip(rigid.settled().unwrap()).map(|(b, moved)| -b.mass * scene.gravity * moved.x).sum();
+        let come_down: f64 =
+            scene.blocks.iter().zip(rigid.settled().unwrap()).map(|(b, moved)| -b.mass * scene.gravity * moved.x).sum();
         assert!(come_down > 1e-5 && (come_down / rigid.work() - 1.0).abs() < 1e-6);
         // what the springs make of it is another of the optimal answers
         let work: f64 = rigid.points.iter().zip(&rigid.forces).map(|(p, f)| p.gap * f).sum();
@@ -542,7 +568,12 @@ mod tests {
         for entry in NAMED.iter().filter(|n| n.expect.is_some()) {
             let scene = entry.scene();
             let rests = Rigid::new(&scene);
-            assert_eq!(rests.err(), (entry.expect == Some(Verdict::Unstable)).then_some(NoAnswer::Falls), "{}", entry.name);
+            assert_eq!(
+                rests.err(),
+                (entry.expect == Some(Verdict::Unstable)).then_some(NoAnswer::Falls),
+                "{}",
+                entry.name
+            );
         }
     }
 

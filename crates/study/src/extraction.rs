@@ -36,8 +36,9 @@ pub fn extract(settled: &World, body: u32, axis: DVec3, speed: f64) -> Extractio
     let size = settled.size(body);
     // the face whose normal is nearest to the axis
     let end = turn.inverse() * axis;
-    let end =
-        DVec3::from(std::array::from_fn::<f64, 3, _>(|k| if end[k].abs() == end.abs().max_element() { end[k].signum() } else { 0.0 }));
+    let end = DVec3::from(std::array::from_fn::<f64, 3, _>(|k| {
+        if end[k].abs() == end.abs().max_element() { end[k].signum() } else { 0.0 }
+    }));
     let axis = turn * end;
     let anchor = end * (0.5 * size.dot(end.abs()));
     let from = center + turn * anchor;

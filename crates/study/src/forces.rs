@@ -41,7 +41,9 @@ impl BlockForces {
     /// Whether heights decide what the block carries: contacts that give as the scene's do say what rigid ones say, within 1 %. Where heights differ by
     /// less than contacts give, rigid blocks are no answer.
     pub fn is_generic(&self) -> bool {
-        self.exact.zip(self.on_springs_n).is_some_and(|(exact, soft)| (soft - exact.straight_n).abs() <= 0.01 * exact.straight_n)
+        self.exact
+            .zip(self.on_springs_n)
+            .is_some_and(|(exact, soft)| (soft - exact.straight_n).abs() <= 0.01 * exact.straight_n)
     }
 }
 

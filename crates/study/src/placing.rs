@@ -45,10 +45,16 @@ pub fn let_go(mut world: World, body: u32, height: f64) -> Placing {
         max_force: Hand::default_force(),
         max_torque: Hand::default_torque(),
     };
-    let hold =
-        |world: &mut World, target: DVec3, seconds: f64| run(world, seconds, &Input { hand: Some(hand(target)), ..Input::default() });
+    let hold = |world: &mut World, target: DVec3, seconds: f64| {
+        run(world, seconds, &Input { hand: Some(hand(target)), ..Input::default() })
+    };
     hold(&mut world, center, SETTLE);
-    let top = Solid::all(&world).iter().enumerate().filter(|(i, _)| *i != body as usize).map(|(_, s)| s.top()).fold(0.0, f64::max);
+    let top = Solid::all(&world)
+        .iter()
+        .enumerate()
+        .filter(|(i, _)| *i != body as usize)
+        .map(|(_, s)| s.top())
+        .fold(0.0, f64::max);
     let low = DVec3::new(center.x, center.y, top + height + 0.5 * world.size(body).z);
     let steps = frames(&world, LOWERING);
     for i in 1..=steps {

@@ -143,14 +143,16 @@ mod tests {
         };
         let n = 1000;
         let cell = |i: usize| 0.1 * ((i as f64 + 0.5) / n as f64 - 0.5);
-        let inside = (0..n * n).map(|i| DVec2::new(cell(i % n), cell(i / n))).filter(|&p| holds(&a, p) && holds(&b, p)).count();
+        let inside =
+            (0..n * n).map(|i| DVec2::new(cell(i % n), cell(i / n))).filter(|&p| holds(&a, p) && holds(&b, p)).count();
         let counted = inside as f64 * 0.01 / (n * n) as f64;
         assert!((area(&region) / counted - 1.0).abs() < 2e-3, "{} and {counted}", area(&region));
     }
 
     #[test]
     fn the_way_to_the_edge_of_a_hull() {
-        let places: Vec<DVec2> = [[0.0, 0.0], [2.0, 0.0], [1.0, 0.5], [2.0, 1.0], [0.0, 1.0], [1.0, 1.0]].map(DVec2::from).to_vec();
+        let places: Vec<DVec2> =
+            [[0.0, 0.0], [2.0, 0.0], [1.0, 0.5], [2.0, 1.0], [0.0, 1.0], [1.0, 1.0]].map(DVec2::from).to_vec();
         let hull = hull(&places);
         assert_eq!(hull.len(), 4);
         assert!((area(&hull) - 2.0).abs() < 1e-12);

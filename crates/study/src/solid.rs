@@ -39,12 +39,15 @@ impl Solid {
     /// The least distance that parts two cuboids, m; 0 where they are apart. Separating axes: all face normals and all products of edges.
     pub fn depth(&self, other: &Solid) -> f64 {
         let between = other.center - self.center;
-        if between.length_squared() >= (self.half.length() + other.half.length()) * (self.half.length() + other.half.length()) {
+        if between.length_squared()
+            >= (self.half.length() + other.half.length()) * (self.half.length() + other.half.length())
+        {
             return 0.0;
         }
         let (a, b) = (DMat3::from_quat(self.turn), DMat3::from_quat(other.turn));
         let faces = (0..3).flat_map(|i| [a.col(i), b.col(i)]);
-        let edges = (0..9).map(|i| a.col(i / 3).cross(b.col(i % 3))).filter(|e| e.length() > PARALLEL).map(DVec3::normalize);
+        let edges =
+            (0..9).map(|i| a.col(i / 3).cross(b.col(i % 3))).filter(|e| e.length() > PARALLEL).map(DVec3::normalize);
         let overlap = |axis: DVec3| self.reach(&a, axis) + other.reach(&b, axis) - between.dot(axis).abs();
         faces.chain(edges).map(overlap).fold(f64::INFINITY, f64::min).max(0.0)
     }
@@ -123,7 +126,8 @@ mod tests {
         let above = Solid { center: DVec3::new(0.0, 0.0, 0.009 + low - 1e-4), ..tilted };
         assert!((a.depth(&above) - 1e-4).abs() < 1e-6, "{}", a.depth(&above));
         // crossed edges: two blocks turned by 45 degrees about their own long axes
-        let ridge = |turn: DQuat, z: f64| block([0.0, 0.0, z], turn * DQuat::from_rotation_x(std::f64::consts::FRAC_PI_4));
+        let ridge =
+            |turn: DQuat, z: f64| block([0.0, 0.0, z], turn * DQuat::from_rotation_x(std::f64::consts::FRAC_PI_4));
         let height = ridge(DQuat::IDENTITY, 0.0).reach(&DMat3::from_quat(ridge(DQuat::IDENTITY, 0.0).turn), DVec3::Z);
         let (a, b) = (ridge(DQuat::IDENTITY, 0.0), ridge(DQuat::from_rotation_z(1.2), 2.0 * height + 1e-6));
         assert_eq!(a.depth(&b), 0.0);
@@ -133,9 +137,15 @@ mod tests {
     fn what_went_through_is_seen() {
         let still = block([0.0; 3], DQuat::IDENTITY);
         let (before, after) = (block([0.0, 0.0, 0.03], DQuat::IDENTITY), block([0.0, 0.0, -0.03], DQuat::IDENTITY));
-        assert_eq!(deepest(&[Solid { center: DVec3::Z, ..still }, Solid { center: DVec3::Z + DVec3::Y, ..before }]), 0.0);
+        assert_eq!(
+            deepest(&[Solid { center: DVec3::Z, ..still }, Solid { center: DVec3::Z + DVec3::Y, ..before }]),
+            0.0
+        );
         assert!(deepest_between(&[still, before], &[still, after]) > 0.015);
         let aside = Solid { center: DVec3::new(0.0, 0.05, -0.03), ..before };
-        assert_eq!(deepest_between(&[still, Solid { center: DVec3::new(0.0, 0.05, 0.03), ..before }], &[still, aside]), 0.0);
+        assert_eq!(
+            deepest_between(&[still, Solid { center: DVec3::new(0.0, 0.05, 0.03), ..before }], &[still, aside]),
+            0.0
+        );
     }
 }

@@ -119,7 +119,8 @@ mod tests {
     #[test]
     fn only_springs_that_are_reached_push() {
         let spring = |gap, share| Spring { acts: vec![(0, 1.0)], gap, share };
-        let forces = forces(&[spring(0.0, 1.0), spring(0.0, 3.0), spring(1e-4, 1.0)], &[2.0], vec![-1e-3], RIGID).unwrap();
+        let forces =
+            forces(&[spring(0.0, 1.0), spring(0.0, 3.0), spring(1e-4, 1.0)], &[2.0], vec![-1e-3], RIGID).unwrap();
         for (force, expected) in forces.into_iter().zip([0.5, 1.5, 0.0]) {
             assert!((force - expected).abs() < 1e-6, "{force} instead of {expected} N");
         }

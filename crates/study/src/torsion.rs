@@ -72,13 +72,20 @@ mod tests {
         let shapes: [&[DVec2]; 3] = [
             &rectangle(0.081, 0.0268),
             &[DVec2::ZERO, DVec2::new(0.03, 0.0), DVec2::new(0.01, 0.02)],
-            &[DVec2::new(1.0, 0.0), DVec2::new(3.0, 0.5), DVec2::new(3.5, 2.0), DVec2::new(2.0, 3.0), DVec2::new(0.5, 2.0)],
+            &[
+                DVec2::new(1.0, 0.0),
+                DVec2::new(3.0, 0.5),
+                DVec2::new(3.5, 2.0),
+                DVec2::new(2.0, 3.0),
+                DVec2::new(0.5, 2.0),
+            ],
         ];
         for polygon in shapes {
             let center = centroid(polygon);
             let (low, high) = polygon.iter().fold((polygon[0], polygon[0]), |(l, h), p| (l.min(*p), h.max(*p)));
             let n = 1500;
-            let place = |i: usize| low + (high - low) * DVec2::new((i % n) as f64 + 0.5, (i / n) as f64 + 0.5) / n as f64;
+            let place =
+                |i: usize| low + (high - low) * DVec2::new((i % n) as f64 + 0.5, (i / n) as f64 + 0.5) / n as f64;
             let inside = |p: &DVec2| {
                 (0..polygon.len()).all(|i| {
                     let (a, b) = (polygon[i], polygon[(i + 1) % polygon.len()]);

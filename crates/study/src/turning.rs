@@ -78,7 +78,14 @@ pub fn motion(scene: &Scene, rigid: &Rigid, block: usize, spread: Spread) -> Opt
 }
 
 /// Newton's method at one rounding.
-fn relax(scene: &Scene, grips: &[Grip], (block, axis): (usize, DVec2), hold: f64, rounding: f64, u: &mut [f64]) -> Option<()> {
+fn relax(
+    scene: &Scene,
+    grips: &[Grip],
+    (block, axis): (usize, DVec2),
+    hold: f64,
+    rounding: f64,
+    u: &mut [f64],
+) -> Option<()> {
     let n = u.len();
     let power = |u: &[f64]| {
         let short = axis.x * u[3 * block] + axis.y * u[3 * block + 1] - 1.0;
@@ -162,7 +169,9 @@ fn grips(scene: &Scene, rigid: &Rigid, spread: Spread) -> Vec<Grip> {
         let middle: DVec2 = patch.corners.iter().map(|&(place, force)| place * force).sum::<DVec2>() / total;
         match spread {
             Spread::Corners => patch.corners.iter().for_each(|&(place, force)| add(place, force)),
-            Spread::Lever => patch.corners.iter().for_each(|&(place, force)| add(middle + (place - middle) * patch.lever, force)),
+            Spread::Lever => {
+                patch.corners.iter().for_each(|&(place, force)| add(middle + (place - middle) * patch.lever, force))
+            }
             Spread::Mesh(cells) => patch.mesh(cells).into_iter().for_each(|(place, force)| add(place, force)),
         }
     }
@@ -193,7 +202,8 @@ mod tests {
         let scene = tower(&TowerOptions { rows: 6, ..TowerOptions::default() }).unwrap();
         let rigid = Rigid::new(&scene).unwrap();
         for block in 0..15 {
-            let (power, limit) = (motion(&scene, &rigid, block, Spread::Lever).unwrap().force_n, rigid.turning_pull(block).unwrap());
+            let (power, limit) =
+                (motion(&scene, &rigid, block, Spread::Lever).unwrap().force_n, rigid.turning_pull(block).unwrap());
             // the polygon that stands for the circle of friction leaves 0.5 % open
             assert!(power > limit * 0.999 && power < limit * 1.008, "block {block}: {power} and {limit} N");
         }

@@ -48,7 +48,8 @@ pub fn xray(world: &World, friction: f64) -> Vec<Load> {
         }
     }
     for i in 0..count {
-        let mut mates: Vec<u32> = on_top[i].iter().flat_map(|&j| &bearers[j as usize]).copied().filter(|&j| j as usize != i).collect();
+        let mut mates: Vec<u32> =
+            on_top[i].iter().flat_map(|&j| &bearers[j as usize]).copied().filter(|&j| j as usize != i).collect();
         mates.sort_unstable();
         mates.dedup();
         let rest: f64 = mates.iter().map(|&j| loads[j as usize].above_n).sum();

@@ -76,7 +76,9 @@ fn the_force_map_of_blocks_of_springs_comes_to_that_of_rigid_ones() {
     let scene = tower(&TowerOptions { rows: 3, ..TowerOptions::default() }).unwrap();
     let map = |scene: &Scene| -> Vec<f64> {
         let world = settled(scene, params()).unwrap();
-        (0..scene.blocks.len()).map(|i| starting_force(&world, i as u32, long_axis(&scene.blocks[i]).extend(0.0)).unwrap()).collect()
+        (0..scene.blocks.len())
+            .map(|i| starting_force(&world, i as u32, long_axis(&scene.blocks[i]).extend(0.0)).unwrap())
+            .collect()
     };
     let rigid = map(&scene);
     let [soft, equal] = [1e4, 1e6].map(|stiffness| {

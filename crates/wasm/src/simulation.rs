@@ -42,8 +42,12 @@ impl Simulation {
         } else {
             serde_json::from_str(input).map_err(|e| Failure::reading("input", e))?
         };
-        let bodies =
-            input.hand.iter().map(|h| h.body).chain(input.forces.iter().map(|f| f.body)).chain(input.drives.iter().map(|d| d.body));
+        let bodies = input
+            .hand
+            .iter()
+            .map(|h| h.body)
+            .chain(input.forces.iter().map(|f| f.body))
+            .chain(input.drives.iter().map(|d| d.body));
         for body in bodies {
             self.check(body)?;
         }
@@ -150,7 +154,11 @@ impl Simulation {
 
     fn check(&self, body: u32) -> Result<(), Failure> {
         let count = self.world.len();
-        if (body as usize) < count { Ok(()) } else { Err(Failure(format!("there is no body {body}: the world has {count}"))) }
+        if (body as usize) < count {
+            Ok(())
+        } else {
+            Err(Failure(format!("there is no body {body}: the world has {count}")))
+        }
     }
 }
 
@@ -166,8 +174,7 @@ struct Blocks {
 mod tests {
     use super::*;
 
-    const ONE: &str =
-        r#"{"name": "one", "friction": 0.4, "blocks": [{"id": 0, "size": [0.081, 0.0268, 0.018], "mass": 0.0196, "pos": [0, 0, 0.009]}]}"#;
+    const ONE: &str = r#"{"name": "one", "friction": 0.4, "blocks": [{"id": 0, "size": [0.081, 0.0268, 0.018], "mass": 0.0196, "pos": [0, 0, 0.009]}]}"#;
 
     fn one() -> Simulation {
         Simulation::new(ONE, "").unwrap()
@@ -183,7 +190,9 @@ mod tests {
 
     #[test]
     fn what_is_no_scene_or_no_input_is_told_in_one_line() {
-        for (scene, params) in [("{", ""), ("[]", ""), (ONE, "{\"stiffness\": 1e6}"), (ONE, "nonsense"), ("{\"name\": NaN}", "")] {
+        for (scene, params) in
+            [("{", ""), ("[]", ""), (ONE, "{\"stiffness\": 1e6}"), (ONE, "nonsense"), ("{\"name\": NaN}", "")]
+        {
             let line = Simulation::new(scene, params).unwrap_err().to_string();
             assert!(!line.is_empty() && !line.contains('\n'), "{line}");
         }

@@ -108,7 +108,12 @@ export const EXHIBITS: readonly Exhibit[] = [
     text:
       'Impulses for everything: a block at rest is one that collides very often and very gently. Each blow makes other contacts approach again, so the ' +
       'impulses of a step grow with the height of the stack, and it never quite stops.',
-    sceneries: [of('3 blocks at rest', 'stack', 3), of('8 blocks at rest', 'stack', 8), of('8 blocks fall', 'falling', 8, 0.1), section],
+    sceneries: [
+      of('3 blocks at rest', 'stack', 3),
+      of('8 blocks at rest', 'stack', 8),
+      of('8 blocks fall', 'falling', 8, 0.1),
+      section,
+    ],
     iterations: 'Impulses',
     limit: 1000,
     counters: [cut, overlap, ['Contact points', c => whole(c.points)]],

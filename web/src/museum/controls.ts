@@ -53,7 +53,8 @@ export class Controls {
     this.rows.max = String(ROWS.most);
     this.rows.value = String(query.has('rows') ? options.rows : ROWS.usual);
     this.tellRows();
-    for (const input of [...this.shows, this.rows, this.future]) input.addEventListener('change', () => actions.build());
+    for (const input of [...this.shows, this.rows, this.future])
+      input.addEventListener('change', () => actions.build());
     this.rows.addEventListener('input', () => this.tellRows());
     get('restart').addEventListener('click', () => actions.build());
     this.pause.addEventListener('click', () => actions.pause());
@@ -77,7 +78,8 @@ export class Controls {
     this.future.disabled = show === 'engine';
     this.springs.hidden = show !== 'old';
     this.turn.hidden = show === 'old';
-    for (const row of document.querySelectorAll<HTMLElement>('[data-of]')) row.hidden = !row.dataset.of!.split(' ').includes(show);
+    for (const row of document.querySelectorAll<HTMLElement>('[data-of]'))
+      row.hidden = !row.dataset.of!.split(' ').includes(show);
   }
 
   setPaused(paused: boolean): void {

@@ -216,7 +216,10 @@ export class ExhibitView {
     values.forEach((value, i) => put(this.counters[i], value));
     const wanted = Number(this.speed.value);
     const behind = wanted > 0 && factor < 0.8 * wanted && counts.time > 0.05;
-    put(this.pace, `${counts.time.toFixed(3)} s${behind ? `, at ${factor.toPrecision(2)}× of real time: this device cannot keep up` : ''}`);
+    put(
+      this.pace,
+      `${counts.time.toFixed(3)} s${behind ? `, at ${factor.toPrecision(2)}× of real time: this device cannot keep up` : ''}`,
+    );
     this.invalidate();
   }
 

@@ -52,7 +52,11 @@ void main() {
 
 function material(opacity: { least: number; most: number }, shaded: boolean): ShaderMaterial {
   return new ShaderMaterial({
-    uniforms: { colour: { value: new Color() }, opacity: { value: [opacity.least, opacity.most] }, shaded: { value: shaded ? 1 : 0 } },
+    uniforms: {
+      colour: { value: new Color() },
+      opacity: { value: [opacity.least, opacity.most] },
+      shaded: { value: shaded ? 1 : 0 },
+    },
     vertexShader: vertex,
     fragmentShader: fragment,
     transparent: true,
@@ -77,7 +81,8 @@ export class Ghost {
   }
 
   setDark(dark: boolean): void {
-    for (const part of [this.faces, this.edges]) part.material.uniforms.colour.value.set(COLOUR[dark ? 'dark' : 'light']);
+    for (const part of [this.faces, this.edges])
+      part.material.uniforms.colour.value.set(COLOUR[dark ? 'dark' : 'light']);
   }
 
   hide(): void {

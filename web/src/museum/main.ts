@@ -28,7 +28,9 @@ function start(): void {
     planeAt: (method, x, y) => views.get(method)!.screen(x, y),
   });
 
-  const seen = new Map<Element, (seen: boolean) => void>([...views.values()].map(view => [view.element, s => view.show(s)]));
+  const seen = new Map<Element, (seen: boolean) => void>(
+    [...views.values()].map(view => [view.element, s => view.show(s)]),
+  );
   seen.set(document.getElementById('stage')!, s => tower?.setSeen(s));
   const observer = new IntersectionObserver(entries => {
     for (const { target, isIntersecting } of entries) seen.get(target)!(isIntersecting);

@@ -141,7 +141,13 @@ export class PlanePicture {
     context.fill();
   }
 
-  private bars(width: number, canvasHeight: number, chart: Chart, limit: number, { accent, soft, line }: Colours): void {
+  private bars(
+    width: number,
+    canvasHeight: number,
+    chart: Chart,
+    limit: number,
+    { accent, soft, line }: Colours,
+  ): void {
     const { context } = this;
     const tall = canvasHeight * STRIP - 6;
     const bar = width / KEPT;

@@ -48,7 +48,11 @@ function show(): void {
   const held = Float32Array.from(plane!.held());
   const counts = JSON.parse(plane!.report()) as PlaneCounts;
   const factor = speed > 0 ? meter.factor() : 0;
-  send({ type: 'frame', scene, corners, contacts, held, counts, factor }, [corners.buffer, contacts.buffer, held.buffer]);
+  send({ type: 'frame', scene, corners, contacts, held, counts, factor }, [
+    corners.buffer,
+    contacts.buffer,
+    held.buffer,
+  ]);
 }
 
 function restart(): void {

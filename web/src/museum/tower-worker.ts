@@ -15,7 +15,8 @@ import type { MuseumFrame, Order } from './protocol';
 const STIFFNESS = 1e6;
 
 const seconds = () => performance.now() / 1000;
-const send = (message: FromWorker | MuseumFrame, transfer: Transferable[] = []) => self.postMessage(message, { transfer });
+const send = (message: FromWorker | MuseumFrame, transfer: Transferable[] = []) =>
+  self.postMessage(message, { transfer });
 
 let memory: { engine: WebAssembly.Memory; old: WebAssembly.Memory };
 let engine: Simulator | null = null;
@@ -45,7 +46,10 @@ function timed<T>(meter: Speedometer, action: () => T): T {
 
 function step(): void {
   const before = seconds();
-  const of = { old: old && timed(speed.old, () => old!.step()), engine: engine && timed(speed.engine, () => engine!.step()) };
+  const of = {
+    old: old && timed(speed.old, () => old!.step()),
+    engine: engine && timed(speed.engine, () => engine!.step()),
+  };
   const after = seconds();
   speed.all.add(after, FRAME, after - before);
   const shared = {
@@ -131,7 +135,9 @@ function want(wish: Wish | null): void {
 function answer(question: Question): unknown {
   const shown = engine ?? old;
   if (!shown) return null;
-  return question.what === 'contacts' ? shown.contacts(question.body) : { hash: engine?.hash() ?? '', time: engine?.time() ?? 0 };
+  return question.what === 'contacts'
+    ? shown.contacts(question.body)
+    : { hash: engine?.hash() ?? '', time: engine?.time() ?? 0 };
 }
 
 function receive(message: ToWorker<Order>): void {

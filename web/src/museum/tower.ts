@@ -76,27 +76,30 @@ export class Tower {
       turn: () => this.hand.turn(Math.PI / 2),
       letGo: () => this.hand.letGo(),
     });
-    this.client = new Client<Order, MuseumFrame>(new Worker(new URL('./tower-worker.ts', import.meta.url), { type: 'module' }), {
-      scenes: () => this.build(),
-      built: world => {
-        const first = this.bodies === null;
-        this.bodies = new Bodies(world.sizes, world.poses, world.place);
-        this.ghost = this.show === 'both' ? new Bodies(world.sizes, world.poses.slice(), world.place) : null;
-        this.ghostView.hide();
-        this.verdict = new Verdict(world.poses);
-        this.lattices.arrive(null);
-        this.forces.restart();
-        this.last = null;
-        this.fell = false;
-        this.hand.turns = this.show !== 'old';
-        this.hand.begin(this.bodies);
-        this.view.begin(this.bodies);
-        this.frameTower(first ? FIRST_AZIMUTH : undefined);
+    this.client = new Client<Order, MuseumFrame>(
+      new Worker(new URL('./tower-worker.ts', import.meta.url), { type: 'module' }),
+      {
+        scenes: () => this.build(),
+        built: world => {
+          const first = this.bodies === null;
+          this.bodies = new Bodies(world.sizes, world.poses, world.place);
+          this.ghost = this.show === 'both' ? new Bodies(world.sizes, world.poses.slice(), world.place) : null;
+          this.ghostView.hide();
+          this.verdict = new Verdict(world.poses);
+          this.lattices.arrive(null);
+          this.forces.restart();
+          this.last = null;
+          this.fell = false;
+          this.hand.turns = this.show !== 'old';
+          this.hand.begin(this.bodies);
+          this.view.begin(this.bodies);
+          this.frameTower(first ? FIRST_AZIMUTH : undefined);
+        },
+        frame: frame => this.arrive(frame),
+        refused: message => this.notice.say(`This tower cannot be built: ${message}`, 8),
+        failed: message => trouble(`The simulation stopped: ${message}. Loading the page again starts anew.`),
       },
-      frame: frame => this.arrive(frame),
-      refused: message => this.notice.say(`This tower cannot be built: ${message}`, 8),
-      failed: message => trouble(`The simulation stopped: ${message}. Loading the page again starts anew.`),
-    });
+    );
     this.hand = new Hand(this.client, orbit, new Bodies(new Float32Array(0), new Float32Array(0)));
     this.hand.cap = options.cap;
     this.pointers = new Pointers(
@@ -284,7 +287,9 @@ export class Tower {
       fps: this.pictures.perSecond(),
       apart: last.ghost && apart(last.poses, last.ghost.poses),
       blocks: bodies.count,
-      springs: this.watching ? `up to ${figures(this.forces.end, unitOf(this.forces.end))} ${unitOf(this.forces.end)}` : '',
+      springs: this.watching
+        ? `up to ${figures(this.forces.end, unitOf(this.forces.end))} ${unitOf(this.forces.end)}`
+        : '',
     });
   }
 

@@ -48,7 +48,11 @@ export class Session {
       path = '',
       ready = true,
       ...options
-    }: BrowserContextOptions & { before?: (page: Page) => Promise<unknown> | void; path?: string; ready?: boolean } = {},
+    }: BrowserContextOptions & {
+      before?: (page: Page) => Promise<unknown> | void;
+      path?: string;
+      ready?: boolean;
+    } = {},
   ): Promise<Session> {
     const context = await host.browser.newContext({ viewport: { width: 900, height: 700 }, ...options });
     const session = new Session(await context.newPage(), () => context.close());
@@ -81,7 +85,8 @@ export interface Host {
 
 export async function host(): Promise<Host> {
   const executablePath = process.env.CHROMIUM ?? PLACES.find(existsSync);
-  if (!executablePath) throw new Error('no Chromium: install the package chromium, or name one in the variable CHROMIUM');
+  if (!executablePath)
+    throw new Error('no Chromium: install the package chromium, or name one in the variable CHROMIUM');
   if (!existsSync(`${ROOT}/dist/index.html`)) throw new Error('the page is not built: npm run build');
   const server: PreviewServer = await preview({
     root: ROOT,
@@ -103,7 +108,13 @@ export async function host(): Promise<Host> {
 }
 
 /** Moves the mouse from one place to another in steps, with a pause (ms) after each. */
-export async function drag(session: Session, from: { x: number; y: number }, to: { x: number; y: number }, steps: number, pause: number) {
+export async function drag(
+  session: Session,
+  from: { x: number; y: number },
+  to: { x: number; y: number },
+  steps: number,
+  pause: number,
+) {
   for (let k = 1; k <= steps; k++) {
     await session.page.mouse.move(from.x + ((to.x - from.x) * k) / steps, from.y + ((to.y - from.y) * k) / steps);
     await session.page.waitForTimeout(pause);
@@ -136,5 +147,7 @@ export async function contrast(page: Page, selector: string, part = [0, 0, 1, 1]
 
 /** How far each body is from where it was, m. */
 export function ways(before: number[], after: number[]): number[] {
-  return Array.from({ length: before.length / 7 }, (_, i) => Math.hypot(...[0, 1, 2].map(k => after[7 * i + k] - before[7 * i + k])));
+  return Array.from({ length: before.length / 7 }, (_, i) =>
+    Math.hypot(...[0, 1, 2].map(k => after[7 * i + k] - before[7 * i + k])),
+  );
 }

@@ -123,7 +123,9 @@ test('the ghost takes each frame with the engine and the same hand, and the page
   await page.mouse.up();
   expect(ways(rest.poses, pulled.poses)[body], 'way of the engine’s block, m').toBeGreaterThan(0.03);
   expect(ways(rest.ghost, pulled.ghost)[body], 'way of the ghost’s block, m').toBeGreaterThan(0.03);
-  expect(Math.max(...ways(pulled.poses, pulled.ghost)), 'the old method disturbs more, m').toBeGreaterThan(2 * Math.max(...atRest));
+  expect(Math.max(...ways(pulled.poses, pulled.ghost)), 'the old method disturbs more, m').toBeGreaterThan(
+    2 * Math.max(...atRest),
+  );
   await page.keyboard.press(' ');
   expect(await page.getAttribute('#pause', 'aria-pressed'), 'the tower has the focus').toBe('true');
   await page.waitForTimeout(600);
@@ -174,14 +176,18 @@ async function visit(page: Page, method: Method) {
 
 const plane = (page: Page, method: Method) => page.evaluate(m => window.museum.plane(m), method);
 const part = (method: Method, name: string) => `[data-method="${method}"] [data-part="${name}"]`;
-const stack = (method: Method) => String(EXHIBITS.find(e => e.method === method)!.sceneries.findIndex(s => s.setting === 'stack'));
+const stack = (method: Method) =>
+  String(EXHIBITS.find(e => e.method === method)!.sceneries.findIndex(s => s.setting === 'stack'));
 
 test.each(METHODS)('%s: runs, takes a block more, a pointer pulls, and it begins anew', async method => {
   await using session = await open(SMALL);
   const { page } = session;
   const canvas = await visit(page, method);
   await page.selectOption(part(method, 'scenery'), stack(method));
-  await page.waitForFunction(m => window.museum.plane(m).scene === 2 && window.museum.plane(m).counts!.time > 0.1, method);
+  await page.waitForFunction(
+    m => window.museum.plane(m).scene === 2 && window.museum.plane(m).counts!.time > 0.1,
+    method,
+  );
   const first = await plane(page, method);
   await page.click(part(method, 'drop'));
   await page.waitForFunction(([m, n]) => window.museum.plane(m).blocks === n, [method, first.blocks + 1] as const);
@@ -200,10 +206,10 @@ test.each(METHODS)('%s: runs, takes a block more, a pointer pulls, and it begins
   await page.mouse.move(box.x + at.x, box.y + at.y);
   await page.mouse.down();
   await drag(session, { x: box.x + at.x, y: box.y + at.y }, { x: box.x + to.x, y: box.y + to.y }, 12, 30);
-  await page.waitForFunction(([m, y]) => Math.max(...window.museum.plane(m).corners.filter((_, i) => i % 2 === 1)) > y, [
-    method,
-    top + 0.01,
-  ] as const);
+  await page.waitForFunction(
+    ([m, y]) => Math.max(...window.museum.plane(m).corners.filter((_, i) => i % 2 === 1)) > y,
+    [method, top + 0.01] as const,
+  );
   await page.mouse.up();
   // Stopped, it takes single steps.
   await page.click(part(method, 'single'));
@@ -248,9 +254,11 @@ test.each([
       const box = element.getBoundingClientRect();
       if (box.width === 0) continue;
       const name = element.id || element.dataset.part || element.textContent;
-      if (box.width < 43.5 || box.height < 43.5) found.push(`${name} is ${box.width.toFixed(0)} x ${box.height.toFixed(0)}`);
+      if (box.width < 43.5 || box.height < 43.5)
+        found.push(`${name} is ${box.width.toFixed(0)} x ${box.height.toFixed(0)}`);
       if (box.left < 0 || box.right > innerWidth + 0.5) found.push(`${name} leaves the page`);
-      if (element.tagName === 'BUTTON' && element.scrollWidth > element.clientWidth + 1) found.push(`${name} is too narrow for its text`);
+      if (element.tagName === 'BUTTON' && element.scrollWidth > element.clientWidth + 1)
+        found.push(`${name} is too narrow for its text`);
     }
     if (document.documentElement.scrollWidth > innerWidth) found.push('the page scrolls sideways');
     return found;
@@ -259,7 +267,10 @@ test.each([
 });
 
 test('the game leads to the museum and back', async () => {
-  await using session = await Session.open(chrome, 'help=0&view=small&scale=0.2&form=rigid&stiffness=1e6&render=once&rows=3');
+  await using session = await Session.open(
+    chrome,
+    'help=0&view=small&scale=0.2&form=rigid&stiffness=1e6&render=once&rows=3',
+  );
   const { page } = session;
   await page.click('#settings');
   await page.click('#panel a');

@@ -91,7 +91,10 @@ test('the stiffness that the page chose is shown, and is all that the choice mea
   const open = async (query: string) => {
     await using session = await Session.open(chrome, `${MEASURED}&${SIX_ROWS}${query}`);
     const { page } = session;
-    const { stiffness, form } = await page.evaluate(() => ({ stiffness: window.teeter.stiffness, form: window.teeter.form.value }));
+    const { stiffness, form } = await page.evaluate(() => ({
+      stiffness: window.teeter.stiffness,
+      form: window.teeter.form.value,
+    }));
     const [shown, selected] = [await page.textContent('#stiffness-value'), await page.inputValue('#stiffness')];
     const told = { stiffness, form, shown, selected, states: await states(session, 2) };
     expect(session.complaints).toEqual([]);
@@ -100,7 +103,11 @@ test('the stiffness that the page chose is shown, and is all that the choice mea
   const own = await open('');
   const { value } = own.stiffness;
   expect(STIFFNESSES).toContain(value);
-  expect(own).toMatchObject({ stiffness: { chosen: true }, shown: `${value / 1000} N/mm, chosen for this device.`, selected: '' });
+  expect(own).toMatchObject({
+    stiffness: { chosen: true },
+    shown: `${value / 1000} N/mm, chosen for this device.`,
+    selected: '',
+  });
   for (const stiffness of STIFFNESSES) {
     const named = await open(`&form=${own.form}&stiffness=${stiffness}`);
     expect(named).toMatchObject({
@@ -127,26 +134,32 @@ const slower = (times: number) => (page: Page) =>
 test.each([
   [40, 3e5, 'rigid', 'Rigid'],
   [0.03, 3e6, 'lattice', 'Springs inside'],
-] as const)('a device that is %f times as slow gets contacts of %f N/m and %s blocks', async (times, expected, form, words) => {
-  await using session = await Session.open(chrome, `${MEASURED}&render=once`, { before: slower(times) });
-  const { page } = session;
-  expect(await page.evaluate(() => window.teeter.stiffness)).toEqual({ value: expected, chosen: true });
-  expect(await page.evaluate(() => window.teeter.form)).toEqual({ value: form, chosen: true });
-  expect(await page.textContent('#form-value')).toBe(`${words}, chosen for this device.`);
-  expect(await page.inputValue('#form')).toBe('');
-  expect(session.complaints).toEqual([]);
-});
+] as const)(
+  'a device that is %f times as slow gets contacts of %f N/m and %s blocks',
+  async (times, expected, form, words) => {
+    await using session = await Session.open(chrome, `${MEASURED}&render=once`, { before: slower(times) });
+    const { page } = session;
+    expect(await page.evaluate(() => window.teeter.stiffness)).toEqual({ value: expected, chosen: true });
+    expect(await page.evaluate(() => window.teeter.form)).toEqual({ value: form, chosen: true });
+    expect(await page.textContent('#form-value')).toBe(`${words}, chosen for this device.`);
+    expect(await page.inputValue('#form')).toBe('');
+    expect(session.complaints).toEqual([]);
+  },
+);
 
 test.each([
   [40, 3e5],
   [0.1, 3e6],
-])('a device that is %f times as slow gets contacts of %f N/m with rigid blocks that the address names', async (times, expected) => {
-  await using session = await Session.open(chrome, `${MEASURED}&form=rigid&render=once`, { before: slower(times) });
-  expect(await session.page.evaluate(() => window.teeter.stiffness)).toEqual({ value: expected, chosen: true });
-  expect(await session.page.evaluate(() => window.teeter.form)).toEqual({ value: 'rigid', chosen: false });
-  expect(await session.page.textContent('#form-value')).toBe('');
-  expect(session.complaints).toEqual([]);
-});
+])(
+  'a device that is %f times as slow gets contacts of %f N/m with rigid blocks that the address names',
+  async (times, expected) => {
+    await using session = await Session.open(chrome, `${MEASURED}&form=rigid&render=once`, { before: slower(times) });
+    expect(await session.page.evaluate(() => window.teeter.stiffness)).toEqual({ value: expected, chosen: true });
+    expect(await session.page.evaluate(() => window.teeter.form)).toEqual({ value: 'rigid', chosen: false });
+    expect(await session.page.textContent('#form-value')).toBe('');
+    expect(session.complaints).toEqual([]);
+  },
+);
 
 test("the player can choose another stiffness, which stays until the choice is the page's again", async () => {
   await using session = await Session.open(chrome, `${SMALL}&rows=6&render=once`);
@@ -154,7 +167,8 @@ test("the player can choose another stiffness, which stays until the choice is t
   const built = (stiffness: { value?: number; chosen: boolean }) =>
     page.waitForFunction(
       want =>
-        window.teeter.stiffness.chosen === want.chosen && (want.value ?? window.teeter.stiffness.value) === window.teeter.stiffness.value,
+        window.teeter.stiffness.chosen === want.chosen &&
+        (want.value ?? window.teeter.stiffness.value) === window.teeter.stiffness.value,
       stiffness,
     );
   await page.click('#settings');
@@ -230,9 +244,10 @@ test('a loose block is pulled out with the mouse, carried, and put on top', asyn
   const after = await session.poses();
   const place = after.slice(7 * body, 7 * body + 3);
   expect(Math.hypot(place[0] - way.slot[0], place[1] - way.slot[1]), 'beside its slot, m').toBeLessThan(0.004);
-  expect(place[2] - Math.max(...after.filter((_, i) => i % 7 === 2 && (i - 2) / 7 !== body)), 'above the row beneath, m').toBeGreaterThan(
-    0.01,
-  );
+  expect(
+    place[2] - Math.max(...after.filter((_, i) => i % 7 === 2 && (i - 2) / 7 !== body)),
+    'above the row beneath, m',
+  ).toBeGreaterThan(0.01);
   const moved = ways(before, after);
   expect(Math.max(...moved.filter((_, i) => i !== body)), 'way of any other block, m').toBeLessThan(0.005);
   expect(await page.evaluate(() => window.teeter.state)).toBe('standing');
@@ -263,7 +278,9 @@ test('a block that was let fall is put on top by the button', async () => {
   await page.waitForFunction(() => window.teeter.hand === null, undefined, { timeout: 20_000 });
   await session.simulate(1);
   const after = await session.poses();
-  expect(Math.abs(after[7 * body + 2] - before[7 * body + 2]), 'back at the height of the top row, m').toBeLessThan(0.001);
+  expect(Math.abs(after[7 * body + 2] - before[7 * body + 2]), 'back at the height of the top row, m').toBeLessThan(
+    0.001,
+  );
   const moved = ways(before, after);
   expect(Math.max(...moved.filter((_, i) => i !== body)), 'way of any other block, m').toBeLessThan(0.002);
 });
@@ -281,7 +298,8 @@ test('a block that carries the tower does not move, and the page says what holds
         const half = (side * teeter.sizes[3 * body]) / 2;
         const at = teeter.screenOf(body, [half, 0, 0]);
         if (teeter.blockAt(at.x, at.y) !== body || at.y <= teeter.screenOf(body).y) continue;
-        if (!best || load > best.load) best = { body, load, at, out: teeter.screenOf(body, [half + side * 0.05, 0, 0]) };
+        if (!best || load > best.load)
+          best = { body, load, at, out: teeter.screenOf(body, [half + side * 0.05, 0, 0]) };
       }
     }
     return best;
@@ -424,7 +442,8 @@ test('a finger on empty space turns the camera, two fingers zoom, and the tower 
   const away = (await session.poses()).slice(7 * top.body, 7 * top.body + 3);
   const sight = [away[0] - raised[0], away[1] - raised[1]];
   expect(
-    -(sight[0] * camera.position[0] + sight[1] * camera.position[1]) / Math.hypot(camera.position[0], camera.position[1]),
+    -(sight[0] * camera.position[0] + sight[1] * camera.position[1]) /
+      Math.hypot(camera.position[0], camera.position[1]),
     'way from the viewer, m',
   ).toBeGreaterThan(0.02);
   expect(await page.evaluate(() => window.teeter.camera)).toEqual(camera);
@@ -440,14 +459,20 @@ test.each([
   [1280, 800],
 ])('at %i x %i nothing overlaps or leaves the screen, and targets are large enough', async (width, height) => {
   const phone = width < 1000;
-  await using session = await Session.open(chrome, SMALL, { viewport: { width, height }, hasTouch: phone, isMobile: phone });
+  await using session = await Session.open(chrome, SMALL, {
+    viewport: { width, height },
+    hasTouch: phone,
+    isMobile: phone,
+  });
   const { page } = session;
   const faults = (carrying = false) =>
     page.evaluate(carrying => {
       const found: string[] = [];
       if (carrying) document.getElementById('carrying')!.hidden = false;
       const shown = [
-        ...document.querySelectorAll<HTMLElement>('#title, #legend, #scale, #xray, #readouts, #tools, #panel, #carrying'),
+        ...document.querySelectorAll<HTMLElement>(
+          '#title, #legend, #scale, #xray, #readouts, #tools, #panel, #carrying',
+        ),
       ].filter(e => e.offsetParent !== null || getComputedStyle(e).position === 'fixed');
       const boxes = shown.filter(e => !e.hidden).map(e => ({ e, name: e.id, box: e.getBoundingClientRect() }));
       for (const { name, box } of boxes)
@@ -458,7 +483,12 @@ test.each([
           if (a.e.contains(b.e)) continue;
           // On a phone on its side the panel may lie over the title: it is closed again with one tap.
           if (innerHeight < 500 && (a.name === 'panel' || b.name === 'panel')) continue;
-          if (a.box.left < b.box.right && b.box.left < a.box.right && a.box.top < b.box.bottom && b.box.top < a.box.bottom)
+          if (
+            a.box.left < b.box.right &&
+            b.box.left < a.box.right &&
+            a.box.top < b.box.bottom &&
+            b.box.top < a.box.bottom
+          )
             found.push(`${a.name} over ${b.name}`);
         }
       }
@@ -468,7 +498,8 @@ test.each([
           found.push(`${button.id || button.textContent} is ${box.width.toFixed(0)} x ${box.height.toFixed(0)}`);
         if (button.scrollWidth > button.clientWidth + 1) found.push(`${button.id} is too narrow for its text`);
         const bar = button.closest('.bar')?.getBoundingClientRect();
-        if (bar && (box.left < bar.left || box.right > bar.right)) found.push(`${button.textContent} runs over the edge of its bar`);
+        if (bar && (box.left < bar.left || box.right > bar.right))
+          found.push(`${button.textContent} runs over the edge of its bar`);
       }
       if (document.documentElement.scrollWidth > innerWidth || document.documentElement.scrollHeight > innerHeight)
         found.push('the page scrolls');
@@ -524,5 +555,7 @@ test('a page without WebGL or without the engine says so in words', async () => 
     });
   expect(await told(noDrawing)).toContain('WebGL');
   expect(await told(page => page.route('**/*.wasm', route => route.abort()))).toContain('engine');
-  expect(await told(page => page.addInitScript(() => Object.assign(window, { Worker: undefined })))).toContain('workers');
+  expect(await told(page => page.addInitScript(() => Object.assign(window, { Worker: undefined })))).toContain(
+    'workers',
+  );
 });

@@ -82,7 +82,8 @@ test('a jelly tower becomes rigid without a hop', async () => {
   await page.click('#settings');
   await page.selectOption('#form', 'rigid');
   let highest = soft;
-  while ((await page.evaluate(() => window.teeter.form.value)) !== 'rigid') highest = Math.max(highest, await top(session));
+  while ((await page.evaluate(() => window.teeter.form.value)) !== 'rigid')
+    highest = Math.max(highest, await top(session));
   await session.simulate(0.5);
   const rigid = await top(session);
   expect(rigid).toBeGreaterThan(soft);
@@ -105,12 +106,16 @@ async function pixels(page: Page): Promise<number[]> {
 /** Part of the pixels that differ to the eye. */
 function difference(a: number[], b: number[]): number {
   let count = 0;
-  for (let i = 0; i < a.length; i += 4) if (Math.max(...[0, 1, 2].map(k => Math.abs(a[i + k] - b[i + k]))) > 24) count += 1;
+  for (let i = 0; i < a.length; i += 4)
+    if (Math.max(...[0, 1, 2].map(k => Math.abs(a[i + k] - b[i + k]))) > 24) count += 1;
   return count / (a.length / 4);
 }
 
 test('the springs view draws springs in see-through blocks, with a legend in newtons, and wood comes back', async () => {
-  await using session = await Session.open(chrome, `help=0&quality=low&scale=0.5&form=lattice&stiffness=1e6&${SIX_ROWS}`);
+  await using session = await Session.open(
+    chrome,
+    `help=0&quality=low&scale=0.5&form=lattice&stiffness=1e6&${SIX_ROWS}`,
+  );
   const { page } = session;
   const drawn = () => page.waitForTimeout(2500);
   await session.simulate(0.5);

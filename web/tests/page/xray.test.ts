@@ -9,7 +9,8 @@ beforeAll(async () => {
 });
 afterAll(() => chrome?.stop());
 
-const known = (session: Session) => session.page.waitForFunction(() => window.teeter.xray.pulls !== null && window.teeter.xray.shown > 0);
+const known = (session: Session) =>
+  session.page.waitForFunction(() => window.teeter.xray.pulls !== null && window.teeter.xray.shown > 0);
 const figures = (session: Session) => session.page.locator('#labels span:visible').allTextContents();
 
 test('the X-ray writes the pull on blocks of a tower at rest, and counts the loose ones as the study does', async () => {
@@ -83,7 +84,9 @@ test('the X-ray tells of blocks of springs as well, and of blocks that lie about
   const { page } = session;
   await page.keyboard.press('x');
   await known(session);
-  expect((await page.evaluate(() => window.teeter.xray.pulls!.slice(-3))).every(pull => pull !== null && pull < 0.1)).toBe(true);
+  expect(
+    (await page.evaluate(() => window.teeter.xray.pulls!.slice(-3))).every(pull => pull !== null && pull < 0.1),
+  ).toBe(true);
   await page.keyboard.press('s');
   expect(await page.evaluate(() => window.teeter.xray.on), 'springs in its place').toBe(false);
   await page.keyboard.press('x');
@@ -129,7 +132,11 @@ test.each([
     }
     for (let body = 0; body < teeter.count; body++) {
       for (const [i, j, k] of [0, 1, 2, 3, 4, 5, 6, 7].map(n => [n & 1, (n >> 1) & 1, n >> 2].map(bit => bit - 0.5))) {
-        const at = teeter.screenOf(body, [i * teeter.sizes[3 * body], j * teeter.sizes[3 * body + 1], k * teeter.sizes[3 * body + 2]]);
+        const at = teeter.screenOf(body, [
+          i * teeter.sizes[3 * body],
+          j * teeter.sizes[3 * body + 1],
+          k * teeter.sizes[3 * body + 2],
+        ]);
         for (const id of ['switches', 'xray', 'tools', 'title']) {
           const { left, right, top, bottom } = box(id);
           if (at.x > left && at.x < right && at.y > top && at.y < bottom) faults.push(`${id} covers block ${body}`);

@@ -30,7 +30,9 @@ test('a slower device and a larger tower never get stiffer contacts', () => {
     const chosen = BLOCKS.map(blocks => stiffest(cost, blocks));
     expect(chosen, `${cost} s a frame`).toEqual([...chosen].sort((a, b) => b - a));
   }
-  expect(new Set(COSTS.map(cost => stiffest(cost, 54))), 'each of the three is somewhere the right one').toEqual(new Set(STIFFNESSES));
+  expect(new Set(COSTS.map(cost => stiffest(cost, 54))), 'each of the three is somewhere the right one').toEqual(
+    new Set(STIFFNESSES),
+  );
 });
 
 test('the fastest device gets the stiffest contacts, and the slowest the softest', () => {
@@ -95,7 +97,8 @@ test('a clock of coarse ticks gives nearly the same cost', () => {
 });
 
 /** The stiffness chosen for a tower of rigid blocks, N/m. */
-const rigid = (device: Device, blocks: number) => device.choose(blocks, { form: 'rigid', stiffness: null, springs: null }).stiffness;
+const rigid = (device: Device, blocks: number) =>
+  device.choose(blocks, { form: 'rigid', stiffness: null, springs: null }).stiffness;
 
 test('a device is measured once with each form, and only when it is asked', () => {
   const trials: Form[] = [];
@@ -149,12 +152,18 @@ test('springs are chosen only with contacts that tell loose from tight, and leav
 
 test('what is named is kept, and the rest is chosen for it', () => {
   const slow = sprung(5e-3);
-  expect(slow.choose(54, { form: 'lattice', stiffness: null, springs: null })).toEqual({ form: 'lattice', stiffness: 3e5 });
+  expect(slow.choose(54, { form: 'lattice', stiffness: null, springs: null })).toEqual({
+    form: 'lattice',
+    stiffness: 3e5,
+  });
   expect(slow.choose(54, { form: null, stiffness: 3e6, springs: null })).toEqual({ form: 'rigid', stiffness: 3e6 });
   const fair = sprung(8e-4);
   expect(fair.choose(54, { form: null, stiffness: 1e6, springs: null }).form).toBe('lattice');
   expect(fair.choose(54, { form: null, stiffness: 3e6, springs: null }).form).toBe('rigid');
-  expect(fair.choose(54, { form: null, stiffness: null, springs: 3e7 }).form, 'springs that take a shorter substep').toBe('rigid');
+  expect(
+    fair.choose(54, { form: null, stiffness: null, springs: 3e7 }).form,
+    'springs that take a shorter substep',
+  ).toBe('rigid');
   expect(fair.choose(54, { form: null, stiffness: null, springs: 1e3 }).form).toBe('lattice');
 });
 
@@ -181,9 +190,16 @@ test('springs that a device will never hold are not measured for long', () => {
 });
 
 /** Seconds of play of 60 steps that take as long as `cost` says. */
-function play(device: Device, seconds: number, stiffness: number, cost: (step: number) => number, form: Form = 'rigid'): void {
+function play(
+  device: Device,
+  seconds: number,
+  stiffness: number,
+  cost: (step: number) => number,
+  form: Form = 'rigid',
+): void {
   device.begin();
-  for (let i = 0; i < 60 * seconds; i++) device.played(cost(i), 54, stiffness, form, form === 'lattice' ? stiffness : null);
+  for (let i = 0; i < 60 * seconds; i++)
+    device.played(cost(i), 54, stiffness, form, form === 'lattice' ? stiffness : null);
 }
 
 test('where play falls behind, the next tower gets softer contacts, down to the softest', () => {

@@ -4,7 +4,17 @@ import { Quaternion, Vector3 } from 'three';
 import { expect, test } from 'vitest';
 import { Bodies } from '../../src/bodies';
 import { pick } from '../../src/boxes';
-import { ENDS, farthest, greatest, LATTICE_STRIDE, Lattices, PARTICLES, SPRINGS, strains, unstrained } from '../../src/lattice';
+import {
+  ENDS,
+  farthest,
+  greatest,
+  LATTICE_STRIDE,
+  Lattices,
+  PARTICLES,
+  SPRINGS,
+  strains,
+  unstrained,
+} from '../../src/lattice';
 import { SIZE } from './towers';
 
 const PLACE = 1 / Math.sqrt(3);

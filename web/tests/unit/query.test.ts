@@ -37,7 +37,9 @@ test('a form and a stiffness of springs that the address names are taken, and no
 });
 
 test('options are read and kept in range', () => {
-  expect(readOptions('?rows=7&seed=42&block=official&sleep=0&render=once&scale=0.3&quality=low&help=0&scene=column')).toMatchObject({
+  expect(
+    readOptions('?rows=7&seed=42&block=official&sleep=0&render=once&scale=0.3&quality=low&help=0&scene=column'),
+  ).toMatchObject({
     rows: 7,
     seed: 42,
     block: 'official',
@@ -49,5 +51,10 @@ test('options are read and kept in range', () => {
     help: false,
   });
   expect(readOptions('?rows=1000&seed=-4&scale=99&cap=100')).toMatchObject({ rows: 40, seed: 0, scale: 1, cap: 8 });
-  expect(readOptions('?rows=many&seed=&block=brick&quality=best')).toMatchObject({ rows: 18, seed: 1, block: 'dissertation', tier: null });
+  expect(readOptions('?rows=many&seed=&block=brick&quality=best')).toMatchObject({
+    rows: 18,
+    seed: 1,
+    block: 'dissertation',
+    tier: null,
+  });
 });

@@ -6,10 +6,16 @@ import { Stillness, type Motion } from '../../src/stillness';
 const rest: Motion = { speed: 1e-5, held: false, form: 'rigid', springs: null };
 
 /** Steps at which rest begins (positive) and ends (negative), for steps from 1 on. */
-function changes(stillness: Stillness, steps: number, motion: (step: number) => Motion, forces: (step: number) => number[]): number[] {
+function changes(
+  stillness: Stillness,
+  steps: number,
+  motion: (step: number) => Motion,
+  forces: (step: number) => number[],
+): number[] {
   const seen: number[] = [];
   for (let step = 1; step <= steps; step++)
-    if (stillness.advance(motion(step), () => Float32Array.from(forces(step)))) seen.push(stillness.still ? step : -step);
+    if (stillness.advance(motion(step), () => Float32Array.from(forces(step))))
+      seen.push(stillness.still ? step : -step);
   return seen;
 }
 

@@ -14,7 +14,10 @@ export function tower(rows: string[], yaw = 0): Bodies {
     [...row].forEach((cell, c) => {
       if (cell !== 'x') return;
       const side = (c - 1) * PITCH;
-      const position = new Vector3(r % 2 ? side : 0, r % 2 ? 0 : side, (r + 0.5) * SIZE.z).applyAxisAngle(new Vector3(0, 0, 1), yaw);
+      const position = new Vector3(r % 2 ? side : 0, r % 2 ? 0 : side, (r + 0.5) * SIZE.z).applyAxisAngle(
+        new Vector3(0, 0, 1),
+        yaw,
+      );
       const turn = new Quaternion().setFromAxisAngle(new Vector3(0, 0, 1), yaw + (r % 2) * (Math.PI / 2));
       sizes.push(...SIZE.toArray());
       poses.push(...position.toArray(), ...turn.toArray());

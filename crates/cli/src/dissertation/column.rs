@@ -86,8 +86,10 @@ pub const COLUMNS: &[Column] = &[
 ];
 
 /// Those of the engine.
-pub const ENGINE: [Column; 2] =
-    [Column { name: "lattice", colour: "#2f6fb5", build: lattice }, Column { name: "rigid", colour: "#3f8f4f", build: rigid }];
+pub const ENGINE: [Column; 2] = [
+    Column { name: "lattice", colour: "#2f6fb5", build: lattice },
+    Column { name: "rigid", colour: "#3f8f4f", build: rigid },
+];
 
 fn springs(scene: &Scene) -> Result<Box<dyn Tower>, Fault> {
     Ok(Box::new(Springs::new(scene, Constants::default())?))
@@ -109,7 +111,8 @@ fn rigid(scene: &Scene) -> Result<Box<dyn Tower>, Fault> {
 }
 
 fn engine(scene: &Scene, form: Form) -> Result<Box<dyn Tower>, Fault> {
-    let world = World::new(&Scene { form, ..scene.clone() }, Params::default()).map_err(|e| Fault::at(&scene.name, e))?;
+    let world =
+        World::new(&Scene { form, ..scene.clone() }, Params::default()).map_err(|e| Fault::at(&scene.name, e))?;
     Ok(Box::new(Engine { world, place: scene.springs.particles.place(), grasped: None, work: 0.0 }))
 }
 
@@ -208,7 +211,9 @@ impl Tower for Engine {
             }
             // Surfaces follow what is affine in the places of the particles, which stand within the block.
             Some(springs) => {
-                let mean = |signed: &dyn Fn(usize) -> f64| (0..8).map(|c| springs.particles[c] * signed(c)).sum::<DVec3>() / 8.0;
+                let mean = |signed: &dyn Fn(usize) -> f64| {
+                    (0..8).map(|c| springs.particles[c] * signed(c)).sum::<DVec3>() / 8.0
+                };
                 (mean(&|_| 1.0), [0, 1, 2].map(|bit| mean(&|c| side(c, bit)) / self.place))
             }
         };

@@ -56,7 +56,9 @@ pub fn run(bar: &ProgressBar) -> Result<String, Fault> {
         [ROWS[n].to_string(), printed.to_owned()].into_iter().chain(rates).collect()
     };
     let mut rows: Vec<Vec<String>> = (0..ROWS.len()).map(row).collect();
-    for (name, least, printed) in [("most rows at 12 frames a second", 12.0, "7"), ("most rows at 60 frames a second", 60.0, "")] {
+    for (name, least, printed) in
+        [("most rows at 12 frames a second", 12.0, "7"), ("most rows at 60 frames a second", 60.0, "")]
+    {
         let most = lines.iter().map(|line| highest(&line.points, least));
         rows.push([name.to_owned(), printed.to_owned()].into_iter().chain(most).collect());
     }

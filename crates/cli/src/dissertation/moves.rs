@@ -49,13 +49,23 @@ pub const MOVES: [Move; 12] = [
     step(Take(3, 1, SLOWLY), "take 3-1 slowly", "no movement", "the row below moves slightly"),
     step(Put(7, 2, LAID), "lay it in 7-2", "no movement", "no movement"),
     step(Take(4, 3, QUICKLY), "take 4-3 quickly", "moves a little with the block", "moves a little with the block"),
-    step(Put(8, 1, 0.01), "drop it from 1 cm on 8-1", "moves slightly on that side", "the same, and takes longer to rest"),
+    step(
+        Put(8, 1, 0.01),
+        "drop it from 1 cm on 8-1",
+        "moves slightly on that side",
+        "the same, and takes longer to rest",
+    ),
     step(Take(2, 3, QUICKLY), "take 2-3 quickly", "no movement", "sinks slightly towards the gap"),
     step(Put(8, 2, 0.02), "drop it from 2 cm on 8-2", "shakes slightly", "shakes, compresses down to row 3"),
     step(Take(2, 1, SLOWLY), "take 2-1 slowly", "no movement", "a slight effect"),
     step(Put(8, 3, LAID), "lay it in 8-3", "no movement", "none, but the block slides a little"),
     step(Take(5, 1, QUICKLY), "take 5-1 quickly", "no movement", "block 8-1 moves slightly"),
-    step(Put(9, 3, 0.01), "drop it from 1 cm on 9-3", "the top row moves a little", "the top row slides a bit and stops"),
+    step(
+        Put(9, 3, 0.01),
+        "drop it from 1 cm on 9-3",
+        "the top row moves a little",
+        "the top row slides a bit and stops",
+    ),
 ];
 
 /// Experiments.
@@ -86,8 +96,11 @@ pub fn acts() -> [Act; MOVES.len()] {
 /// Plays moves, calling `look` after each, and stops when the tower has fallen.
 pub fn play(column: &Column, acts: &[Act], mut look: impl FnMut(&dyn Tower, Outcome)) -> Result<(), Fault> {
     let scene = loose(LOOSE, &TowerOptions::exact()).map_err(|e| Fault::Said(e.to_string()))?;
-    let mut game =
-        Game { tower: (column.build)(&scene)?, places: (0..6).map(|r| [0, 1, 2].map(|c| Some(3 * r + c))).collect(), held: None };
+    let mut game = Game {
+        tower: (column.build)(&scene)?,
+        places: (0..6).map(|r| [0, 1, 2].map(|c| Some(3 * r + c))).collect(),
+        held: None,
+    };
     game.tower.rest(60);
     for &act in acts {
         let outcome = game.play(act);
@@ -128,7 +141,11 @@ impl Game {
         // A block that has left its row has come down by half its height.
         let half = 0.5 * BlockPreset::Dissertation.size()[2];
         let in_row = |b: usize, row: usize| after[b].z > (2 * row) as f64 * half;
-        let stands = self.places.iter().enumerate().all(|(row, p)| p.iter().flatten().all(|&b| Some(b) == held || in_row(b, row)));
+        let stands = self
+            .places
+            .iter()
+            .enumerate()
+            .all(|(row, p)| p.iter().flatten().all(|&b| Some(b) == held || in_row(b, row)));
         Outcome { furthest, mean: moves.iter().sum::<f64>() / moves.len() as f64, off, stands }
     }
 
@@ -152,7 +169,8 @@ impl Game {
     /// middle of the row below, and as high as the highest block of that row.
     fn rest(&self, block: usize, row: usize, place: usize) -> DVec3 {
         let (height, pitch) = (BlockPreset::Dissertation.size()[2], BlockPreset::Dissertation.pitch());
-        let blocks = |row: usize| self.places.get(row).into_iter().flatten().enumerate().filter_map(|(n, b)| b.map(|b| (n, b)));
+        let blocks =
+            |row: usize| self.places.get(row).into_iter().flatten().enumerate().filter_map(|(n, b)| b.map(|b| (n, b)));
         let level = |v: DVec3| DVec3::new(v.x, v.y, 0.0).normalize_or_zero();
         // Along a block towards the player, and to the player's right, where the higher places are.
         let axes = |row: usize, block: usize| {
@@ -172,7 +190,9 @@ impl Game {
         // The nearest in the row may lie askew, or the block in hand may: their corners stay as far from each other as their sides would.
         let beside = blocks(row).min_by_key(|(n, _)| n.abs_diff(place)).map(|(n, b)| {
             let (places, right) = (place as f64 - n as f64, axes(row, b).1);
-            let reach = |b: usize| self.tower.corners(b).into_iter().map(|c| (c - self.tower.centre(b)).dot(right)).fold(0.0, f64::max);
+            let reach = |b: usize| {
+                self.tower.corners(b).into_iter().map(|c| (c - self.tower.centre(b)).dot(right)).fold(0.0, f64::max)
+            };
             let askew = (reach(b) + reach(block) - BlockPreset::Dissertation.size()[1]).max(0.0);
             self.tower.centre(b) + (places * pitch + places.signum() * askew) * right
         });
@@ -247,11 +267,15 @@ pub fn run(bar: &ProgressBar) -> Result<String, Fault> {
         .enumerate()
         .map(|(n, m)| {
             let said = [format!("{}. {}", n + 1, m.text), m.real.to_owned(), m.simulated.to_owned()];
-            said.into_iter().chain(played.iter().map(|(outcomes, _)| outcomes.get(n).map_or_else(String::new, cell))).collect()
+            said.into_iter()
+                .chain(played.iter().map(|(outcomes, _)| outcomes.get(n).map_or_else(String::new, cell)))
+                .collect()
         })
         .collect();
-    let head: Vec<&str> =
-        ["move", "real tower (dissertation)", "its simulator"].into_iter().chain(COLUMNS.iter().map(|c| c.name)).collect();
+    let head: Vec<&str> = ["move", "real tower (dissertation)", "its simulator"]
+        .into_iter()
+        .chain(COLUMNS.iter().map(|c| c.name))
+        .collect();
     let pictures: String = (0..MOVES.len())
         .map(|n| {
             format!(
@@ -306,7 +330,9 @@ mod tests {
     /// next drop sent it down by 7 mm.
     #[test]
     fn a_drop_moves_the_tower_a_little() {
-        let [rigid] = ENGINE.iter().filter(|c| c.name == "rigid").collect::<Vec<_>>()[..] else { panic!("there is one such column") };
+        let [rigid] = ENGINE.iter().filter(|c| c.name == "rigid").collect::<Vec<_>>()[..] else {
+            panic!("there is one such column")
+        };
         let heights = [0.95, 0.96, 0.97, 0.98, 0.99, 1.0, 1.01, 1.02, 1.03, 1.04, 1.05];
         let dropped = |factor: f64| {
             acts().map(|act| {

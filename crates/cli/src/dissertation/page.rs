@@ -42,8 +42,11 @@ pub fn table_of_words(head: &[&str], rows: &[Vec<String>]) -> String {
 }
 
 fn table_of(class: &str, head: &[&str], rows: &[Vec<String>]) -> String {
-    let cells = |tag: &str, row: &mut dyn Iterator<Item = &str>| row.map(|cell| format!("<{tag}>{cell}</{tag}>")).collect::<String>();
-    let body: String = rows.iter().map(|row| format!("<tr>{}</tr>\n", cells("td", &mut row.iter().map(String::as_str)))).collect();
+    let cells = |tag: &str, row: &mut dyn Iterator<Item = &str>| {
+        row.map(|cell| format!("<{tag}>{cell}</{tag}>")).collect::<String>()
+    };
+    let body: String =
+        rows.iter().map(|row| format!("<tr>{}</tr>\n", cells("td", &mut row.iter().map(String::as_str)))).collect();
     format!("<table{class}><thead><tr>{}</tr></thead>\n{body}</table>\n", cells("th", &mut head.iter().copied()))
 }
 
@@ -70,8 +73,11 @@ pub fn chart(lines: &[Line], x_name: &str, y_name: &str, marks: &[(f64, &str)]) 
     for power in low as i32..=high as i32 {
         let value = libm::pow(10.0, f64::from(power));
         let at = y(value);
-        let _ =
-            write!(svg, "<path d=\"M60 {at}H660\" stroke=\"#ddd\"/><text x=\"54\" y=\"{}\" text-anchor=\"end\">{value}</text>", at + 4.0);
+        let _ = write!(
+            svg,
+            "<path d=\"M60 {at}H660\" stroke=\"#ddd\"/><text x=\"54\" y=\"{}\" text-anchor=\"end\">{value}</text>",
+            at + 4.0
+        );
     }
     for (value, name) in marks {
         let at = y(*value);
@@ -86,13 +92,21 @@ pub fn chart(lines: &[Line], x_name: &str, y_name: &str, marks: &[(f64, &str)]) 
     }
     for (n, line) in lines.iter().enumerate() {
         let points: Vec<String> = line.points.iter().map(|p| format!("{:.1},{:.1}", x(p.0), y(p.1))).collect();
-        let _ = write!(svg, "<polyline points=\"{}\" fill=\"none\" stroke=\"{}\" stroke-width=\"2\"/>", points.join(" "), line.colour);
+        let _ = write!(
+            svg,
+            "<polyline points=\"{}\" fill=\"none\" stroke=\"{}\" stroke-width=\"2\"/>",
+            points.join(" "),
+            line.colour
+        );
         for p in &line.points {
             let _ = write!(svg, "<circle cx=\"{:.1}\" cy=\"{:.1}\" r=\"3\" fill=\"{}\"/>", x(p.0), y(p.1), line.colour);
         }
         let _ = write!(svg, "<text x=\"{}\" y=\"374\" fill=\"{}\">{}</text>", 60 + 140 * n, line.colour, line.name);
     }
-    let _ = write!(svg, "<text x=\"660\" y=\"362\" text-anchor=\"end\">{x_name}</text><text x=\"8\" y=\"12\">{y_name}</text></svg>");
+    let _ = write!(
+        svg,
+        "<text x=\"660\" y=\"362\" text-anchor=\"end\">{x_name}</text><text x=\"8\" y=\"12\">{y_name}</text></svg>"
+    );
     svg
 }
 

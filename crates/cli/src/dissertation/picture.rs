@@ -41,10 +41,20 @@ struct Raster {
 
 fn draw(tower: &dyn Tower, height: f64, mark_rest: bool) -> Raster {
     let (width, tall) = (SIZE.0 * FINE, SIZE.1 * FINE);
-    let mut raster = Raster { width, height: tall, colours: vec![BACKGROUND; width * tall], depths: vec![f64::INFINITY; width * tall] };
+    let mut raster = Raster {
+        width,
+        height: tall,
+        colours: vec![BACKGROUND; width * tall],
+        depths: vec![f64::INFINITY; width * tall],
+    };
     let reach = height.max(0.1);
-    let camera =
-        Camera { target: DVec3::new(0.0, 0.0, 0.45 * height), distance: 8.0 * reach, azimuth: -0.67, elevation: 0.35, half_height: 0.12 };
+    let camera = Camera {
+        target: DVec3::new(0.0, 0.0, 0.45 * height),
+        distance: 8.0 * reach,
+        azimuth: -0.67,
+        elevation: 0.35,
+        half_height: 0.12,
+    };
     let corner = |x: f64, y: f64| DVec3::new(x * reach, y * reach, -1e-4);
     let floor = [corner(-0.7, -0.7), corner(0.7, -0.7), corner(0.7, 0.7), corner(-0.7, 0.7)];
     raster.triangle(&camera, [floor[0], floor[1], floor[2]], FLOOR);
@@ -87,7 +97,8 @@ impl Raster {
         if !area.is_normal() {
             return;
         }
-        let range = |low: f64, high: f64, most: usize| low.floor().max(0.0) as usize..(high.ceil().max(0.0) as usize).min(most);
+        let range =
+            |low: f64, high: f64, most: usize| low.floor().max(0.0) as usize..(high.ceil().max(0.0) as usize).min(most);
         let (xs, ys) = (
             range(a.x.min(b.x).min(c.x), a.x.max(b.x).max(c.x), self.width),
             range(a.y.min(b.y).min(c.y), a.y.max(b.y).max(c.y), self.height),
@@ -123,7 +134,8 @@ fn png(raster: &Raster) -> Vec<u8> {
     let mut pixels = Vec::with_capacity(SIZE.0 * SIZE.1 * 3);
     for y in 0..SIZE.1 {
         for x in 0..SIZE.0 {
-            let rays = (0..FINE * FINE).map(|n| raster.colours[(y * FINE + n / FINE) * raster.width + x * FINE + n % FINE]);
+            let rays =
+                (0..FINE * FINE).map(|n| raster.colours[(y * FINE + n / FINE) * raster.width + x * FINE + n % FINE]);
             let sum = rays.fold([0.0; 3], |sum, ray| [sum[0] + ray[0], sum[1] + ray[1], sum[2] + ray[2]]);
             pixels.extend(sum.map(|c| (c / (FINE * FINE) as f64).clamp(0.0, 255.0) as u8));
         }

@@ -25,7 +25,13 @@ pub struct Part {
     run: fn(&ProgressBar) -> Result<String, Fault>,
 }
 
-const fn part(name: &'static str, title: &'static str, timed: bool, steps: u64, run: fn(&ProgressBar) -> Result<String, Fault>) -> Part {
+const fn part(
+    name: &'static str,
+    title: &'static str,
+    timed: bool,
+    steps: u64,
+    run: fn(&ProgressBar) -> Result<String, Fault>,
+) -> Part {
     Part { name, title, timed, steps, run }
 }
 
@@ -44,7 +50,8 @@ pub const PARTS: &[Part] = &[
 
 /// Runs the parts asked for and writes the page.
 pub fn main(args: &ReportArgs) -> Result<(), Fault> {
-    let wanted: Vec<&Part> = PARTS.iter().filter(|p| args.only.is_empty() || args.only.iter().any(|name| name == p.name)).collect();
+    let wanted: Vec<&Part> =
+        PARTS.iter().filter(|p| args.only.is_empty() || args.only.iter().any(|name| name == p.name)).collect();
     let name = args.out.display().to_string();
     // Made first: a folder that cannot be written is better said now than in ten minutes.
     fs::create_dir_all(&args.out).map_err(|e| Fault::at(&name, format!("this folder cannot be made: {e}")))?;
@@ -66,6 +73,7 @@ pub fn main(args: &ReportArgs) -> Result<(), Fault> {
     })?;
     bar.finish_and_clear();
     let sections: Vec<Section> = sections.into_iter().flatten().collect();
-    fs::write(&path, page(&sections)).map_err(|e| Fault::at(&path.display().to_string(), format!("cannot be written: {e}")))?;
+    fs::write(&path, page(&sections))
+        .map_err(|e| Fault::at(&path.display().to_string(), format!("cannot be written: {e}")))?;
     output::line(&format!("{}", path.display()))
 }

@@ -101,7 +101,8 @@ pub fn run(bar: &ProgressBar) -> Result<String, Fault> {
             subject
         })
         .collect::<Result<_, _>>()?;
-    let jobs: Vec<(usize, usize)> = (0..REQUIREMENTS.len()).flat_map(|r| (0..COLUMNS.len()).map(move |c| (r, c))).collect();
+    let jobs: Vec<(usize, usize)> =
+        (0..REQUIREMENTS.len()).flat_map(|r| (0..COLUMNS.len()).map(move |c| (r, c))).collect();
     let answers: Vec<Answer> = jobs
         .par_iter()
         .map(|&(r, c)| {
@@ -116,10 +117,14 @@ pub fn run(bar: &ProgressBar) -> Result<String, Fault> {
         .map(|(r, requirement)| {
             let cells = jobs.iter().zip(&answers).filter(|((row, _), _)| *row == r);
             let cells = cells.map(|(_, a)| format!("{}: {}", if a.met { "met" } else { "<b>not met</b>" }, a.evidence));
-            [format!("{} {}", requirement.number, requirement.text), requirement.printed.to_owned()].into_iter().chain(cells).collect()
+            [format!("{} {}", requirement.number, requirement.text), requirement.printed.to_owned()]
+                .into_iter()
+                .chain(cells)
+                .collect()
         })
         .collect();
-    let head: Vec<&str> = ["requirement", "dissertation, of itself"].into_iter().chain(COLUMNS.iter().map(|c| c.name)).collect();
+    let head: Vec<&str> =
+        ["requirement", "dissertation, of itself"].into_iter().chain(COLUMNS.iter().map(|c| c.name)).collect();
     Ok(table_of_words(&head, &rows))
 }
 
@@ -147,7 +152,9 @@ fn analogue(subject: &Subject) -> Result<Answer, Fault> {
         let mut tower = subject.build(&scene("block")?)?;
         tower.rest(30);
         let lifted = tower.centre(0) + 0.1 * DVec3::Z;
-        let hold = |tower: &mut dyn Tower, target| (0..60).for_each(|_| tower.frame(Some(&Grasp { block: 0, target, carried: true })));
+        let hold = |tower: &mut dyn Tower, target| {
+            (0..60).for_each(|_| tower.frame(Some(&Grasp { block: 0, target, carried: true })))
+        };
         hold(tower.as_mut(), lifted);
         let start = tower.centre(0);
         hold(tower.as_mut(), lifted + way * DVec3::X);
@@ -163,11 +170,13 @@ fn all_sides(subject: &Subject) -> Result<Answer, Fault> {
     let mut seen = vec![false; tower.len()];
     for turn in 0..8 {
         let azimuth = f64::from(turn) * std::f64::consts::FRAC_PI_4 + 0.2;
-        let camera = Camera { target: DVec3::new(0.0, 0.0, 0.054), distance: 0.6, azimuth, elevation: 0.2, half_height: 0.2 };
+        let camera =
+            Camera { target: DVec3::new(0.0, 0.0, 0.054), distance: 0.6, azimuth, elevation: 0.2, half_height: 0.2 };
         for pixel in 0..64 * 64 {
             let at = |n: u32| f64::from(n) / 32.0 - 1.0;
             let ray = camera.ray(at(pixel % 64), at(pixel / 64));
-            let nearest = (0..tower.len()).filter_map(|b| meets(&tower.corners(b), ray.origin, ray.direction).map(|t| (t, b)));
+            let nearest =
+                (0..tower.len()).filter_map(|b| meets(&tower.corners(b), ray.origin, ray.direction).map(|t| (t, b)));
             if let Some((_, block)) = nearest.min_by(|a, b| a.0.total_cmp(&b.0)) {
                 seen[block] = true;
             }
@@ -191,7 +200,8 @@ fn meets(corners: &[DVec3; 8], origin: DVec3, direction: DVec3) -> Option<f64> {
 
 /// Centre, half lengths and axes of a block.
 fn frame(corners: &[DVec3; 8]) -> (DVec3, [f64; 3], [DVec3; 3]) {
-    let sides = [0, 1, 2].map(|bit| (0..8).map(|c| if c >> bit & 1 == 1 { corners[c] } else { -corners[c] }).sum::<DVec3>() / 8.0);
+    let sides = [0, 1, 2]
+        .map(|bit| (0..8).map(|c| if c >> bit & 1 == 1 { corners[c] } else { -corners[c] }).sum::<DVec3>() / 8.0);
     (corners.iter().sum::<DVec3>() / 8.0, sides.map(DVec3::length), sides.map(DVec3::normalize_or_zero))
 }
 
@@ -255,7 +265,10 @@ fn collapses(subject: &Subject) -> Result<Answer, Fault> {
 
 fn removal_disturbs(subject: &Subject) -> Result<Answer, Fault> {
     let outcome = subject.moves[0];
-    answer(outcome.stands && outcome.furthest < 1e-3, format!("taking loose 3-3 moves the others by {} mm at most", mm(outcome.furthest)))
+    answer(
+        outcome.stands && outcome.furthest < 1e-3,
+        format!("taking loose 3-3 moves the others by {} mm at most", mm(outcome.furthest)),
+    )
 }
 
 fn placing_disturbs(subject: &Subject) -> Result<Answer, Fault> {
@@ -422,7 +435,8 @@ mod tests {
     /// The columns that do not meet a requirement are these, and all others do.
     fn all_meet_but(number: &str, columns: &[&str]) {
         let requirement = REQUIREMENTS.iter().find(|r| r.number == number).expect("there is such a requirement");
-        let answers: Vec<Answer> = SUBJECTS.iter().map(|subject| (requirement.ask)(subject).expect("the experiment runs")).collect();
+        let answers: Vec<Answer> =
+            SUBJECTS.iter().map(|subject| (requirement.ask)(subject).expect("the experiment runs")).collect();
         let fail: Vec<&str> = COLUMNS.iter().zip(&answers).filter(|(_, a)| !a.met).map(|(c, _)| c.name).collect();
         assert_eq!(fail, columns, "{answers:?}");
     }
@@ -481,7 +495,9 @@ mod tests {
         static GHOST: Column = Column {
             name: "ghost",
             colour: "",
-            build: |scene| Ok(Box::new(Ghost { scene: scene.clone(), velocities: vec![DVec3::ZERO; scene.blocks.len()] })),
+            build: |scene| {
+                Ok(Box::new(Ghost { scene: scene.clone(), velocities: vec![DVec3::ZERO; scene.blocks.len()] }))
+            },
         };
         let subject = Subject { column: &GHOST, moves: Vec::new(), embedded: 0.0 };
         let answer = no_passing(&subject).expect("the experiment runs");

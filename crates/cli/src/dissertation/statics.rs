@@ -35,7 +35,8 @@ pub fn stands(column: &Column, name: &str, mut look: impl FnMut(&dyn Tower)) -> 
     look(tower.as_ref());
     tower.rest((SECONDS * FRAMES) as u32);
     look(tower.as_ref());
-    let moves = |of: fn(DVec3) -> f64| tower.centres().iter().zip(&start).map(|(now, was)| of(*now - *was)).fold(0.0, f64::max);
+    let moves =
+        |of: fn(DVec3) -> f64| tower.centres().iter().zip(&start).map(|(now, was)| of(*now - *was)).fold(0.0, f64::max);
     let (moved, dropped) = (moves(DVec3::length), moves(|way| -way.z));
     Ok((moved <= FELL_MOVED && dropped <= FELL_DROPPED, moved))
 }
@@ -69,7 +70,8 @@ pub fn run(bar: &ProgressBar) -> Result<String, Fault> {
         }
         rows.push(row);
     }
-    let head: Vec<&str> = ["test", "dissertation: real tower and its own"].into_iter().chain(COLUMNS.iter().map(|c| c.name)).collect();
+    let head: Vec<&str> =
+        ["test", "dissertation: real tower and its own"].into_iter().chain(COLUMNS.iter().map(|c| c.name)).collect();
     Ok(table(&head, &rows)
         + "<p>In brackets: how far a block went at most in 5 s. Test 2 is on a knife's edge: with blocks of the nominal size its upper two blocks are \
            0.15 mm short of balance, so that it falls, and a top block laid 1 mm further out stands.</p>"

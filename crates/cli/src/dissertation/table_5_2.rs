@@ -47,13 +47,16 @@ fn settled(rows: u32, constants: Constants) -> Result<Jenga3D, Fault> {
 
 /// Counts of one step, both calls of `CollideBlocks` in full, as a mean over a frame, with the boxes compared as Figure 5.5 lists it or put right.
 fn counts_of(rows: u32, listed_boxes: bool) -> Result<[f64; 5], Fault> {
-    let constants = Constants { listed_boxes, skip_unchanged: false, disabling: Disabling::Off, ..Constants::default() };
+    let constants =
+        Constants { listed_boxes, skip_unchanged: false, disabling: Disabling::Off, ..Constants::default() };
     let mut simulator = settled(rows, constants)?;
     let steps = simulator.constants.mid_loop_count;
     let mut sums = [0u64; 5];
     for _ in 0..steps {
         let StepCounts { first: c, .. } = simulator.step(None);
-        for (sum, count) in sums.iter_mut().zip([c.potential, c.after_blocks, c.after_boxes, c.after_planes, c.collisions]) {
+        for (sum, count) in
+            sums.iter_mut().zip([c.potential, c.after_blocks, c.after_boxes, c.after_planes, c.collisions])
+        {
             *sum += count;
         }
     }
@@ -79,10 +82,12 @@ pub fn counts(bar: &ProgressBar) -> Result<String, Fault> {
         std::iter::once(name.to_owned()).chain(cells).collect()
     };
     let rows: Vec<Vec<String>> = NAMES.iter().enumerate().map(|(n, name)| row(n, name)).collect();
-    let head =
-        ROWS.iter().flat_map(|rows| std::iter::once(format!("{rows} rows: printed")).chain(READINGS.map(|(name, _)| name.to_owned())));
+    let head = ROWS.iter().flat_map(|rows| {
+        std::iter::once(format!("{rows} rows: printed")).chain(READINGS.map(|(name, _)| name.to_owned()))
+    });
     let head: Vec<String> = std::iter::once("left after".to_owned()).chain(head).collect();
-    let formula: Vec<String> = ROWS.iter().map(|rows| format!("{} rows {}", rows, 2 * tests(u64::from(3 * rows)))).collect();
+    let formula: Vec<String> =
+        ROWS.iter().map(|rows| format!("{} rows {}", rows, 2 * tests(u64::from(3 * rows)))).collect();
     Ok(table(&head.iter().map(String::as_str).collect::<Vec<_>>(), &rows)
         + &format!(
             "<p>The printed columns are headed 6, 9 and 18 blocks. They are rows: 168 n (n - 1) tests of section 4.4.3 for 18, 27 and 54 blocks, twice \
@@ -111,7 +116,9 @@ pub fn culling(bar: &ProgressBar) -> Result<String, Fault> {
         times.push(clock.elapsed().as_secs_f64() / f64::from(steps));
         bar.inc(1);
     }
-    let row = |n: usize| vec![LEVELS[n].2.to_owned(), format!("{:.0}", 1e6 * times[n]), format!("{:.1}", times[0] / times[n])];
+    let row = |n: usize| {
+        vec![LEVELS[n].2.to_owned(), format!("{:.0}", 1e6 * times[n]), format!("{:.1}", times[0] / times[n])]
+    };
     let rows: Vec<Vec<String>> = (0..LEVELS.len()).map(row).collect();
     Ok(format!(
         "<p>The dissertation: \"an overall speed increase for the simulation of at least 10 fold\". Six rows, the whole step with its forces:</p>{}",

@@ -25,7 +25,12 @@ pub async fn file(uri: Uri) -> Response<Body> {
             let cache = if path.starts_with("assets/") { "public, max-age=31536000, immutable" } else { "no-store" };
             (StatusCode::OK, kind, cache, found.data.into_owned())
         }
-        None => (StatusCode::NOT_FOUND, "text/plain; charset=utf-8".to_owned(), "no-store", b"There is no such page.\n".to_vec()),
+        None => (
+            StatusCode::NOT_FOUND,
+            "text/plain; charset=utf-8".to_owned(),
+            "no-store",
+            b"There is no such page.\n".to_vec(),
+        ),
     };
     let mut response = Response::new(Body::from(bytes));
     *response.status_mut() = status;
@@ -38,7 +43,10 @@ fn content_type(guess: &str) -> String {
 }
 
 fn set_headers(headers: &mut HeaderMap, kind: &str, cache: &'static str) {
-    headers.insert(header::CONTENT_TYPE, HeaderValue::from_str(kind).unwrap_or(HeaderValue::from_static("application/octet-stream")));
+    headers.insert(
+        header::CONTENT_TYPE,
+        HeaderValue::from_str(kind).unwrap_or(HeaderValue::from_static("application/octet-stream")),
+    );
     headers.insert(header::CACHE_CONTROL, HeaderValue::from_static(cache));
     headers.insert(header::CONTENT_SECURITY_POLICY, HeaderValue::from_static(CONTENT_SECURITY));
     // Alone in its process: this gives workers shared memory and clocks of full precision.

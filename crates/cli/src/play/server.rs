@@ -16,8 +16,10 @@ const USUAL_PORT: u16 = 8080;
 
 /// Serves the page until interrupted.
 pub fn serve(port: Option<u16>, open_browser: bool) -> Result<(), Fault> {
-    let runtime =
-        tokio::runtime::Builder::new_current_thread().enable_all().build().map_err(|e| Fault::at("the server cannot start", e))?;
+    let runtime = tokio::runtime::Builder::new_current_thread()
+        .enable_all()
+        .build()
+        .map_err(|e| Fault::at("the server cannot start", e))?;
     runtime.block_on(async {
         let listener = listen(port).await?;
         // Whoever reads the address may ask for the end at once: it must be heard from then on.
@@ -40,10 +42,12 @@ async fn listen(port: Option<u16>) -> Result<TcpListener, Fault> {
     let bind = |port| TcpListener::bind((Ipv4Addr::LOCALHOST, port));
     match port {
         Some(port) => bind(port).await.map_err(|e| match e.kind() {
-            io::ErrorKind::AddrInUse => {
-                Fault::Said(format!("port {port} is taken: choose another with --port, or leave --port out for a free one"))
+            io::ErrorKind::AddrInUse => Fault::Said(format!(
+                "port {port} is taken: choose another with --port, or leave --port out for a free one"
+            )),
+            io::ErrorKind::PermissionDenied => {
+                Fault::Said(format!("port {port} may not be used: choose one above 1023 with --port"))
             }
-            io::ErrorKind::PermissionDenied => Fault::Said(format!("port {port} may not be used: choose one above 1023 with --port")),
             _ => Fault::Said(format!("port {port} cannot be used: {e}")),
         }),
         None => match bind(USUAL_PORT).await {

@@ -15,8 +15,9 @@ td,th{padding:.15rem .6rem;border-bottom:1px solid #eee;text-align:left}.ok{colo
 
 /// The page.
 pub fn page(size: &Size, sections: &[Section]) -> String {
-    let mut page =
-        format!("<!doctype html><html lang=\"en\"><meta charset=\"utf-8\"><title>Teeter: validation</title><style>{STYLE}</style>");
+    let mut page = format!(
+        "<!doctype html><html lang=\"en\"><meta charset=\"utf-8\"><title>Teeter: validation</title><style>{STYLE}</style>"
+    );
     let _ = write!(
         page,
         "<h1>Teeter: validation</h1><p>Version {}, {} towers of {} rows of each kind from seed {}, blocks {}{}. Nothing sleeps. All figures are in \
@@ -47,7 +48,13 @@ pub fn page(size: &Size, sections: &[Section]) -> String {
     }
     page += "</table>";
     for section in sections {
-        let _ = write!(page, "<h2 id=\"{}\">{}</h2><p>{}</p>", section.name, escaped(section.title), escaped(&section.method));
+        let _ = write!(
+            page,
+            "<h2 id=\"{}\">{}</h2><p>{}</p>",
+            section.name,
+            escaped(section.title),
+            escaped(&section.method)
+        );
         page += "<table>";
         for figure in &section.figures {
             let class = match figure.met {
@@ -55,13 +62,20 @@ pub fn page(size: &Size, sections: &[Section]) -> String {
                 Some(false) => "missed",
                 None => "",
             };
-            let _ = write!(page, "<tr><td>{}</td><td class=\"{class}\">{}</td></tr>", escaped(&figure.what), escaped(&figure.value));
+            let _ = write!(
+                page,
+                "<tr><td>{}</td><td class=\"{class}\">{}</td></tr>",
+                escaped(&figure.what),
+                escaped(&figure.value)
+            );
         }
         page += "</table><div class=\"plots\">";
         section.plots.iter().for_each(|plot| page += &plot.svg());
         page += "</div>";
         for table in &section.tables {
-            let cells = |row: &[String], tag: &str| row.iter().map(|c| format!("<{tag}>{}</{tag}>", escaped(c))).collect::<String>();
+            let cells = |row: &[String], tag: &str| {
+                row.iter().map(|c| format!("<{tag}>{}</{tag}>", escaped(c))).collect::<String>()
+            };
             let rows: String = table.rows.iter().map(|row| format!("<tr>{}</tr>", cells(row, "td"))).collect();
             let _ = write!(page, "<table><tr>{}</tr>{rows}</table>", cells(&table.head, "th"));
         }

@@ -21,7 +21,8 @@ pub use topics::Topic;
 /// Measures what was asked for and writes `validation.html` and `validation.json` into the folder.
 pub fn main(args: Validate) -> Result<(), Fault> {
     let real = args.real.as_deref().map(real::read).transpose()?;
-    fs::create_dir_all(&args.out).map_err(|e| Fault::at(&args.out.display().to_string(), format!("cannot be made a folder: {e}")))?;
+    fs::create_dir_all(&args.out)
+        .map_err(|e| Fault::at(&args.out.display().to_string(), format!("cannot be made a folder: {e}")))?;
     let size = Size::of(&args);
     // a data sheet alone asks for nothing else
     let topics: Vec<Topic> = match (&args.only[..], &real) {

@@ -55,7 +55,9 @@ impl Axis {
 
     /// From and to in scaled numbers, and the places of the ticks with their labels.
     fn range(&self, values: impl Iterator<Item = f64>) -> (f64, f64, Vec<(f64, String)>) {
-        let (low, high) = values.filter_map(|v| self.scaled(v)).fold((f64::INFINITY, f64::NEG_INFINITY), |(l, h), v| (l.min(v), h.max(v)));
+        let (low, high) = values
+            .filter_map(|v| self.scaled(v))
+            .fold((f64::INFINITY, f64::NEG_INFINITY), |(l, h), v| (l.min(v), h.max(v)));
         if low > high {
             return (0.0, 1.0, Vec::new());
         }
@@ -92,9 +94,14 @@ impl Plot {
         let (y0, y1, y_ticks) = self.y.range(points().map(|p| p.1));
         let across = |x: f64| LEFT + (x - x0) / (x1 - x0) * (WIDTH - LEFT - RIGHT);
         let up = |y: f64| HEIGHT - BOTTOM - (y - y0) / (y1 - y0) * (HEIGHT - TOP - BOTTOM);
-        let mut svg = format!("<svg viewBox=\"0 0 {WIDTH} {HEIGHT}\" role=\"img\"><title>{0}</title>", escaped(&self.title));
+        let mut svg =
+            format!("<svg viewBox=\"0 0 {WIDTH} {HEIGHT}\" role=\"img\"><title>{0}</title>", escaped(&self.title));
         let mut text = |x: f64, y: f64, anchor: &str, extra: &str, words: &str| {
-            let _ = write!(svg, "<text x=\"{x:.1}\" y=\"{y:.1}\" text-anchor=\"{anchor}\"{extra}>{}</text>", escaped(words));
+            let _ = write!(
+                svg,
+                "<text x=\"{x:.1}\" y=\"{y:.1}\" text-anchor=\"{anchor}\"{extra}>{}</text>",
+                escaped(words)
+            );
         };
         text(WIDTH / 2.0, 16.0, "middle", " font-weight=\"bold\"", &self.title);
         text((LEFT + WIDTH - RIGHT) / 2.0, HEIGHT - 10.0, "middle", "", &self.x.label);
@@ -111,7 +118,8 @@ impl Plot {
             text(LEFT + 8.0, TOP + 14.0 + 14.0 * i as f64, "start", &fill, &series.name);
         }
         let mut line = |x0: f64, y0: f64, x1: f64, y1: f64, class: &str| {
-            let _ = write!(svg, "<line x1=\"{x0:.1}\" y1=\"{y0:.1}\" x2=\"{x1:.1}\" y2=\"{y1:.1}\" class=\"{class}\"/>");
+            let _ =
+                write!(svg, "<line x1=\"{x0:.1}\" y1=\"{y0:.1}\" x2=\"{x1:.1}\" y2=\"{y1:.1}\" class=\"{class}\"/>");
         };
         x_ticks.iter().for_each(|(t, _)| line(across(*t), TOP, across(*t), HEIGHT - BOTTOM, "grid"));
         y_ticks.iter().for_each(|(t, _)| line(LEFT, up(*t), WIDTH - RIGHT, up(*t), "grid"));
@@ -125,10 +133,17 @@ impl Plot {
             let places: Vec<(f64, f64)> = series.points.iter().filter_map(place).collect();
             if series.line {
                 let path: Vec<String> = places.iter().map(|(x, y)| format!("{x:.1},{y:.1}")).collect();
-                let _ = write!(svg, "<polyline points=\"{}\" fill=\"none\" stroke=\"{colour}\" stroke-width=\"1.5\"/>", path.join(" "));
+                let _ = write!(
+                    svg,
+                    "<polyline points=\"{}\" fill=\"none\" stroke=\"{colour}\" stroke-width=\"1.5\"/>",
+                    path.join(" ")
+                );
             }
             for (x, y) in places {
-                let _ = write!(svg, "<circle cx=\"{x:.1}\" cy=\"{y:.1}\" r=\"2.2\" fill=\"{colour}\" fill-opacity=\"0.6\"/>");
+                let _ = write!(
+                    svg,
+                    "<circle cx=\"{x:.1}\" cy=\"{y:.1}\" r=\"2.2\" fill=\"{colour}\" fill-opacity=\"0.6\"/>"
+                );
             }
         }
         svg + "</svg>"
@@ -160,7 +175,13 @@ mod tests {
     #[test]
     fn every_point_is_drawn_once_and_text_is_escaped() {
         let series = Series { name: "a".into(), points: vec![(1.0, 2.0), (2.0, f64::NAN), (3.0, 5.0)], line: true };
-        let plot = Plot { title: "<b> & c".into(), x: Axis::new("x"), y: Axis::new("y"), series: vec![series], diagonal: true };
+        let plot = Plot {
+            title: "<b> & c".into(),
+            x: Axis::new("x"),
+            y: Axis::new("y"),
+            series: vec![series],
+            diagonal: true,
+        };
         let svg = plot.svg();
         assert_eq!(svg.matches("<circle").count(), 2);
         assert!(svg.contains("&lt;b&gt; &amp; c") && svg.ends_with("</svg>"));

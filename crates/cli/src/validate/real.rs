@@ -99,7 +99,8 @@ fn parse(text: &str) -> Result<Sheet, String> {
         for &&(_, column, height, mass, pull) in &of {
             let side = (f64::from(column) - 2.0) * pitch;
             let z = base + 0.5 * height;
-            let (pos, yaw) = if row % 2 == 1 { ([0.0, side, z], 0.0) } else { ([side, 0.0, z], std::f64::consts::FRAC_PI_2) };
+            let (pos, yaw) =
+                if row % 2 == 1 { ([0.0, side, z], 0.0) } else { ([side, 0.0, z], std::f64::consts::FRAC_PI_2) };
             scene.blocks.push(Block { id: 10 * row + column, size: [length, width, height], mass, pos, yaw });
             pulls.push(pull);
         }
@@ -124,8 +125,9 @@ pub fn section(sheet: &Sheet, _size: &Size) -> Result<Section, Fault> {
     let blocks = forces(&sheet.scene, params(), || bar.inc(1)).map_err(|e| Fault::at(&sheet.scene.name, e))?;
     bar.finish_and_clear();
     let (mut pairs, mut rows, mut met, mut found) = (Vec::new(), Vec::new(), Vec::new(), Vec::new());
-    let loose_below =
-        1.5 * sheet.scene.friction * mean(&sheet.scene.blocks.iter().map(|b| b.mass * sheet.scene.gravity).collect::<Vec<_>>());
+    let loose_below = 1.5
+        * sheet.scene.friction
+        * mean(&sheet.scene.blocks.iter().map(|b| b.mass * sheet.scene.gravity).collect::<Vec<_>>());
     for ((block, pull), of) in blocks.iter().zip(&sheet.pulls).zip(&sheet.scene.blocks) {
         let Some(pull) = *pull else { continue };
         let near = |force: Option<f64>| match force {
@@ -154,7 +156,8 @@ pub fn section(sheet: &Sheet, _size: &Size) -> Result<Section, Fault> {
     section.say("correlation of the forces", format!("{:.3}", correlation(&pairs)));
     section.say("loose and tight as in the real tower", format!("{:.0} %", percent(&found, |f| f.0 == f.1)));
     section.table(&["block", "lies", "pulled N", "forward N", "backward N", "rigid, straight N"], rows);
-    section.data = json!({"blocks": blocks, "pulls": sheet.pulls.iter().map(|p| p.filter(|p| p.is_finite())).collect::<Vec<_>>()});
+    section.data =
+        json!({"blocks": blocks, "pulls": sheet.pulls.iter().map(|p| p.filter(|p| p.is_finite())).collect::<Vec<_>>()});
     section.plots.push(Plot {
         title: "Force that starts a block".into(),
         x: Axis::log("real tower, N"),

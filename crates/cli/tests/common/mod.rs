@@ -36,7 +36,11 @@ pub fn teeter_with(args: &[&str], input: &[u8]) -> Done {
 fn done(child: Child) -> Done {
     let output = child.wait_with_output().expect("the program ends");
     let text = |bytes: Vec<u8>| String::from_utf8(bytes).expect("the program writes UTF-8");
-    Done { code: output.status.code().expect("the program ends by itself"), out: text(output.stdout), err: text(output.stderr) }
+    Done {
+        code: output.status.code().expect("the program ends by itself"),
+        out: text(output.stdout),
+        err: text(output.stderr),
+    }
 }
 
 impl Done {

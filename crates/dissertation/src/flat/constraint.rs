@@ -45,7 +45,9 @@ pub fn step(world: &mut Rigid2D) -> Report {
 fn overlapping(world: &mut Rigid2D) -> Option<(usize, usize)> {
     let slop = world.constants.slop;
     let pairs = world.pairs();
-    pairs.into_iter().find(|&(i, j)| world.tester.overlap((i as u32, j as u32), &world.bodies[i], &world.bodies[j], slop))
+    pairs
+        .into_iter()
+        .find(|&(i, j)| world.tester.overlap((i as u32, j as u32), &world.bodies[i], &world.bodies[j], slop))
 }
 
 /// What the ways of the bodies through a step begin with.

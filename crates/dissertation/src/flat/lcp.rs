@@ -38,7 +38,8 @@ pub fn solve(matrix: &[Vec<f64>], b: &[f64]) -> Result<Vec<f64>, LcpError> {
             }
             let by = direction(matrix, &clamped, d)?;
             let da: Vec<f64> = (0..n).map(|i| by.iter().map(|&(j, df)| matrix[i][j] * df).sum()).collect();
-            let (mut step, mut first) = if da[d] > ZERO * matrix[d][d] { (-a[d] / da[d], d) } else { (f64::INFINITY, d) };
+            let (mut step, mut first) =
+                if da[d] > ZERO * matrix[d][d] { (-a[d] / da[d], d) } else { (f64::INFINITY, d) };
             for &(i, df) in by.iter().filter(|(i, df)| *i != d && *df < 0.0) {
                 if -f[i] / df < step {
                     (step, first) = (-f[i] / df, i);
@@ -80,7 +81,8 @@ pub fn solve(matrix: &[Vec<f64>], b: &[f64]) -> Result<Vec<f64>, LcpError> {
 /// How all forces change when that of `d` grows by one and the accelerations of the clamped contacts stay zero.
 fn direction(matrix: &[Vec<f64>], clamped: &[usize], d: usize) -> Result<Vec<(usize, f64)>, LcpError> {
     let m = clamped.len();
-    let mut rows: Vec<Vec<f64>> = clamped.iter().map(|&i| clamped.iter().map(|&j| matrix[i][j]).chain([-matrix[i][d]]).collect()).collect();
+    let mut rows: Vec<Vec<f64>> =
+        clamped.iter().map(|&i| clamped.iter().map(|&j| matrix[i][j]).chain([-matrix[i][d]]).collect()).collect();
     // Gauss's elimination with the largest entry of a column first.
     for k in 0..m {
         let pivot = (k..m).max_by(|&i, &j| rows[i][k].abs().total_cmp(&rows[j][k].abs())).unwrap_or(k);

@@ -24,7 +24,8 @@ pub fn step(world: &mut Rigid2D) -> Report {
                 report.iterations += 1;
                 let micro = approach > -c.rest_velocity;
                 // Outside the envelope's inner half nothing has to be pushed further out.
-                let restitution = if micro { if touch.point.depth > -0.5 * ENVELOPE { 1.0 } else { 0.0 } } else { c.restitution };
+                let restitution =
+                    if micro { if touch.point.depth > -0.5 * ENVELOPE { 1.0 } else { 0.0 } } else { c.restitution };
                 collide(&mut world.bodies, touch, restitution, c.friction);
             }
         }

@@ -32,7 +32,8 @@ impl Touch {
 
     /// Denominator of Eq. 2.10, 1/kg, along a direction.
     pub fn inverse_mass(&self, bodies: &[Body], along: DVec2) -> f64 {
-        bodies[self.a].inverse_mass_at(self.point.place, along) + bodies[self.b].inverse_mass_at(self.point.place, along)
+        bodies[self.a].inverse_mass_at(self.point.place, along)
+            + bodies[self.b].inverse_mass_at(self.point.place, along)
     }
 }
 

@@ -165,15 +165,23 @@ impl Rigid2D {
     pub(super) fn pairs(&self) -> Vec<(usize, usize)> {
         let near = |i: usize, j: usize| {
             let (a, b) = (&self.bodies[i], &self.bodies[j]);
-            i == 0 && b.centre.y < b.half.length() + 1e-3 || i > 0 && a.centre.distance(b.centre) < a.half.length() + b.half.length() + 1e-3
+            i == 0 && b.centre.y < b.half.length() + 1e-3
+                || i > 0 && a.centre.distance(b.centre) < a.half.length() + b.half.length() + 1e-3
         };
-        (0..self.bodies.len()).flat_map(|i| (i + 1..self.bodies.len()).map(move |j| (i, j))).filter(|&(i, j)| near(i, j)).collect()
+        (0..self.bodies.len())
+            .flat_map(|i| (i + 1..self.bodies.len()).map(move |j| (i, j)))
+            .filter(|&(i, j)| near(i, j))
+            .collect()
     }
 
     /// Contact points no more than `margin` (m) apart.
     pub fn touches(&self, margin: f64) -> Vec<Touch> {
         let of = |(i, j): (usize, usize)| {
-            super::manifold::points(&self.bodies[i], &self.bodies[j], margin).into_iter().map(move |point| Touch { a: i, b: j, point })
+            super::manifold::points(&self.bodies[i], &self.bodies[j], margin).into_iter().map(move |point| Touch {
+                a: i,
+                b: j,
+                point,
+            })
         };
         self.pairs().into_iter().flat_map(of).collect()
     }
@@ -197,7 +205,8 @@ pub(super) fn collide(bodies: &mut [Body], touch: &Touch, restitution: f64, fric
     let n = touch.point.normal;
     let j = -(1.0 + restitution) * approach / touch.inverse_mass(bodies, n); // Eq. 2.10
     let t = n.perp();
-    let sliding = (bodies[touch.a].velocity_at(touch.point.place) - bodies[touch.b].velocity_at(touch.point.place)).dot(t);
+    let sliding =
+        (bodies[touch.a].velocity_at(touch.point.place) - bodies[touch.b].velocity_at(touch.point.place)).dot(t);
     let across = -sliding / touch.inverse_mass(bodies, t);
     touch.push(bodies, j * n + across.clamp(-friction * j, friction * j) * t);
 }

@@ -28,7 +28,16 @@ pub struct Constants {
 
 impl Default for Constants {
     fn default() -> Self {
-        Self { step: 2.5e-4, gravity: 9.81, stiffness: 2e4, damping: 4.0, iterations: 5, restitution: 0.1, friction: 0.4, max_sweeps: 20 }
+        Self {
+            step: 2.5e-4,
+            gravity: 9.81,
+            stiffness: 2e4,
+            damping: 4.0,
+            iterations: 5,
+            restitution: 0.1,
+            friction: 0.4,
+            max_sweeps: 20,
+        }
     }
 }
 
@@ -194,7 +203,8 @@ impl Springs2D {
         if self.next[particle].position.y >= 0.0 {
             return false;
         }
-        let (velocity, way) = (self.next[particle].velocity, self.next[particle].position - self.curr[particle].position);
+        let (velocity, way) =
+            (self.next[particle].velocity, self.next[particle].position - self.curr[particle].position);
         self.respond(&[(particle, 1.0)], DVec2::Y, velocity, way);
         self.next[particle].position.y = self.next[particle].position.y.max(0.0);
         true

@@ -86,7 +86,8 @@ pub fn create_block(model: &mut Model, curr: &mut Vec<State>, block: &SceneBlock
         curr.push(State { position, ..State::default() });
     }
     let mut pairs: Vec<[usize; 2]> = EDGE_CORNERS.to_vec();
-    let others = (0..CORNERS).flat_map(|a| (a + 1..CORNERS).map(move |b| [a, b])).filter(|pair| !EDGE_CORNERS.contains(pair));
+    let others =
+        (0..CORNERS).flat_map(|a| (a + 1..CORNERS).map(move |b| [a, b])).filter(|pair| !EDGE_CORNERS.contains(pair));
     pairs.extend(others);
     for (n, [a, b]) in pairs.into_iter().enumerate() {
         let (p1, p2) = (first_particle + a, first_particle + b);
@@ -103,5 +104,10 @@ pub fn create_block(model: &mut Model, curr: &mut Vec<State>, block: &SceneBlock
         let [p1, p2, p3] = corners.map(|c| (first_particle + c) as u32);
         model.faces.push(Face { p1, p2, p3 });
     }
-    model.blocks.push(Block { particles: first_particle as u32, springs: first_spring as u32, faces: first_face as u32, active: true });
+    model.blocks.push(Block {
+        particles: first_particle as u32,
+        springs: first_spring as u32,
+        faces: first_face as u32,
+        active: true,
+    });
 }

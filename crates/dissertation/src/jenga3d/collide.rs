@@ -151,7 +151,15 @@ impl Collider {
 
     /// The corners of block `p` with the faces of block `f`, where either has changed since that event. Without `corner_boxes` the boxes of
     /// corners are not looked at.
-    fn points_and_faces(&mut self, p: usize, f: usize, since: u32, corner_boxes: bool, field: &mut Field, counters: &mut Counters) {
+    fn points_and_faces(
+        &mut self,
+        p: usize,
+        f: usize,
+        since: u32,
+        corner_boxes: bool,
+        field: &mut Field,
+        counters: &mut Counters,
+    ) {
         let culling = field.constants.culling;
         let of_corners = if corner_boxes { culling } else { culling.min(Culling::Blocks) };
         let first = field.model.blocks[p].particles as usize;
@@ -170,7 +178,8 @@ impl Collider {
                 if old_face && self.unchanged(p, [corner], since) {
                     continue;
                 }
-                if of_corners >= Culling::Boxes && !self.boxes[f].faces.get(n).meets(&self.boxes[p].corners.get(corner)) {
+                if of_corners >= Culling::Boxes && !self.boxes[f].faces.get(n).meets(&self.boxes[p].corners.get(corner))
+                {
                     continue;
                 }
                 counters.after_boxes += 1;
@@ -181,7 +190,9 @@ impl Collider {
                     continue;
                 }
                 counters.after_planes += 1;
-                let Some(hit) = point_face::first_hit(&distance, &point, &ways, field.constants.tolerance) else { continue };
+                let Some(hit) = point_face::first_hit(&distance, &point, &ways, field.constants.tolerance) else {
+                    continue;
+                };
                 counters.collisions += 1;
                 let [w1, w2, w3] = hit.weights;
                 let index = field.model.blocks[f].faces + n as u32;
@@ -228,7 +239,9 @@ impl Collider {
                     continue;
                 }
                 counters.after_planes += 1;
-                let Some(hit) = edge_edge::first_hit(&distance, &ways_a, &ways_b, field.constants.tolerance) else { continue };
+                let Some(hit) = edge_edge::first_hit(&distance, &ways_a, &ways_b, field.constants.tolerance) else {
+                    continue;
+                };
                 counters.collisions += 1;
                 let springs = [field.model.blocks[a].springs + n as u32, field.model.blocks[b].springs + m as u32];
                 self.respond(
@@ -254,7 +267,13 @@ impl Collider {
 
     /// Which parts of a block meet the box of another block, as bits; all where boxes are not looked at.
     #[inline]
-    fn meeting<const N: usize>(&self, parts: impl Fn(&BlockBoxes) -> &BoundsOf<N>, of: usize, with: usize, culling: Culling) -> u16 {
+    fn meeting<const N: usize>(
+        &self,
+        parts: impl Fn(&BlockBoxes) -> &BoundsOf<N>,
+        of: usize,
+        with: usize,
+        culling: Culling,
+    ) -> u16 {
         if culling < Culling::Boxes {
             return (1 << N) - 1;
         }

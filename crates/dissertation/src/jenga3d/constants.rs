@@ -116,7 +116,10 @@ impl Constants {
     /// How a collision goes.
     pub fn law(&self) -> Law {
         let friction = self.static_friction.filter(|_| self.friction_enabled);
-        Law { restitution: self.restitution, friction: friction.map(|at_rest| Coefficients { at_rest, sliding: self.friction }) }
+        Law {
+            restitution: self.restitution,
+            friction: friction.map(|at_rest| Coefficients { at_rest, sliding: self.friction }),
+        }
     }
 
     /// Time between two computations of forces, s.

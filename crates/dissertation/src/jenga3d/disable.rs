@@ -24,7 +24,13 @@ pub enum Disabling {
 /// is. It leaves the velocities, so what has only just been let go is late by a step and does not hang in the air.
 ///
 /// Its fault is what it measures: a block that breathes on its springs counts as moving, one that begins to tip slowly does not.
-pub fn disable_motionless(model: &mut Model, constants: &Constants, held: Option<u32>, curr: &[State], next: &mut [State]) -> Vec<usize> {
+pub fn disable_motionless(
+    model: &mut Model,
+    constants: &Constants,
+    held: Option<u32>,
+    curr: &[State],
+    next: &mut [State],
+) -> Vec<usize> {
     let mut disabled = Vec::new();
     for (n, block) in model.blocks.iter_mut().enumerate() {
         if held == Some(n as u32) {
@@ -91,7 +97,14 @@ impl Watch {
 
     /// After a step: disables what has been still for long enough, with all that could push it still too, and enables the neighbours of what
     /// moves.
-    pub fn update(&mut self, model: &mut Model, constants: &Constants, held: Option<u32>, neighbours: &[[u32; 2]], states: &mut [State]) {
+    pub fn update(
+        &mut self,
+        model: &mut Model,
+        constants: &Constants,
+        held: Option<u32>,
+        neighbours: &[[u32; 2]],
+        states: &mut [State],
+    ) {
         let mut moved = vec![false; model.blocks.len()];
         for (n, block) in model.blocks.iter().enumerate() {
             let pose = Pose::of(block, states);

@@ -47,7 +47,12 @@ macro_rules! entry {
                 c.$field = $all.1.into_iter().find(|(name, _)| *name == text)?.1;
                 Some(())
             },
-            write: |c| $all.1.into_iter().find(|(_, value)| *value == c.$field).map_or(String::new(), |(name, _)| name.to_owned()),
+            write: |c| {
+                $all.1
+                    .into_iter()
+                    .find(|(_, value)| *value == c.$field)
+                    .map_or(String::new(), |(name, _)| name.to_owned())
+            },
         }
     };
 }
@@ -56,16 +61,20 @@ const METHODS: (&str, [(&str, Method); 4]) = (
     "euler, multi, midpoint or rk4",
     [("euler", Method::Euler), ("multi", Method::Multi), ("midpoint", Method::Midpoint), ("rk4", Method::Rk4)],
 );
-const ORDERS: (&str, [(&str, Order); 3]) =
-    ("naive, bottom-up or top-down", [("naive", Order::Naive), ("bottom-up", Order::BottomUp), ("top-down", Order::TopDown)]);
+const ORDERS: (&str, [(&str, Order); 3]) = (
+    "naive, bottom-up or top-down",
+    [("naive", Order::Naive), ("bottom-up", Order::BottomUp), ("top-down", Order::TopDown)],
+);
 const CULLINGS: (&str, [(&str, Culling); 4]) = (
     "none, blocks, boxes or planes",
     [("none", Culling::None), ("blocks", Culling::Blocks), ("boxes", Culling::Boxes), ("planes", Culling::Planes)],
 );
 const DISABLINGS: (&str, [(&str, Disabling); 3]) =
     ("off, listed or rigid", [("off", Disabling::Off), ("listed", Disabling::Listed), ("rigid", Disabling::Rigid)]);
-const HANDS: (&str, [(&str, HandMode); 3]) =
-    ("force, velocity or hybrid", [("force", HandMode::Force), ("velocity", HandMode::Velocity), ("hybrid", HandMode::Hybrid)]);
+const HANDS: (&str, [(&str, HandMode); 3]) = (
+    "force, velocity or hybrid",
+    [("force", HandMode::Force), ("velocity", HandMode::Velocity), ("hybrid", HandMode::Hybrid)],
+);
 
 const ENTRIES: &[Entry] = &[
     entry!("Simulation", frame_rate, "a number, 1/s"),
@@ -129,13 +138,16 @@ impl Constants {
                 }
                 continue;
             }
-            let (name, value) = line.split_once('=').ok_or_else(|| wrong(format!("`{line}`, expected `name = value` or `[Section]`")))?;
+            let (name, value) = line
+                .split_once('=')
+                .ok_or_else(|| wrong(format!("`{line}`, expected `name = value` or `[Section]`")))?;
             let (name, value) = (name.trim(), value.trim());
             let entry = ENTRIES
                 .iter()
                 .find(|e| e.section == section && e.name == name)
                 .ok_or_else(|| wrong(format!("there is no `{name}` in section [{section}]")))?;
-            (entry.read)(&mut constants, value).ok_or_else(|| wrong(format!("`{name}` is `{value}`, expected {}", entry.expected)))?;
+            (entry.read)(&mut constants, value)
+                .ok_or_else(|| wrong(format!("`{name}` is `{value}`, expected {}", entry.expected)))?;
         }
         Ok(constants)
     }

@@ -21,7 +21,8 @@ pub struct Model {
 impl Model {
     /// Energy of motion and of the springs, J.
     pub fn energy(&self, states: &[State]) -> f64 {
-        let motion: f64 = self.particles.iter().zip(states).map(|(p, s)| 0.5 * p.mass * s.velocity.length_squared()).sum();
+        let motion: f64 =
+            self.particles.iter().zip(states).map(|(p, s)| 0.5 * p.mass * s.velocity.length_squared()).sum();
         let springs: f64 = self.springs.iter().map(|s| s.energy(&states[s.p1 as usize], &states[s.p2 as usize])).sum();
         motion + springs
     }

@@ -134,7 +134,16 @@ impl Jenga3D {
         let Self { constants, model, curr, next, contacts, between, .. } = self;
         let sources = Sources { user, contacts, time: constants.force_step() };
         let forces = |states: &mut [_]| compute_forces(model, constants, &sources, states);
-        integrate(constants.method, constants.iterations_per_frame, constants.step(), &model.particles, curr, next, between, forces);
+        integrate(
+            constants.method,
+            constants.iterations_per_frame,
+            constants.step(),
+            &model.particles,
+            curr,
+            next,
+            between,
+            forces,
+        );
         if constants.disabling == Disabling::Rigid {
             for block in model.blocks.iter().filter(|b| !b.active) {
                 next[block.corners()].copy_from_slice(&curr[block.corners()]);
@@ -153,7 +162,8 @@ impl Jenga3D {
         self.collider.begin(&self.model, &self.constants, &self.curr, &self.next);
         self.collide_blocks(&mut counts);
         if self.constants.disabling == Disabling::Listed {
-            let disabled = disable::disable_motionless(&mut self.model, &self.constants, held, &self.curr, &mut self.next);
+            let disabled =
+                disable::disable_motionless(&mut self.model, &self.constants, held, &self.curr, &mut self.next);
             for n in disabled {
                 let corners = self.model.blocks[n].corners();
                 self.collider.touch(n, &self.curr[corners.clone()], &self.next[corners]);

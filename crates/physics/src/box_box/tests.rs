@@ -8,7 +8,12 @@ use super::*;
 use crate::constants::AREA_RANGE;
 
 fn cuboid(body: u32, size: [f64; 3], q: [f64; 4], center: [f64; 3]) -> Cuboid {
-    Cuboid { body, center: center.into(), axes: DMat3::from_quat(DQuat::from_array(q).normalize()), half: DVec3::from(size) / 2.0 }
+    Cuboid {
+        body,
+        center: center.into(),
+        axes: DMat3::from_quat(DQuat::from_array(q).normalize()),
+        half: DVec3::from(size) / 2.0,
+    }
 }
 
 /// Slabs, needles and cubes of the size of a block, in any orientation, with centres as far apart as makes contact likely.
@@ -22,8 +27,9 @@ fn pairs() -> impl Strategy<Value = (Cuboid, Cuboid)> {
             prop::array::uniform4(-1.0..1.0f64).prop_filter("no direction", |q| q.iter().any(|c| c.abs() > 0.1)),
         ]
     };
-    let body =
-        |i: u32, c: std::ops::Range<f64>| (size(), orientation(), prop::array::uniform3(c)).prop_map(move |(s, q, c)| cuboid(i, s, q, c));
+    let body = |i: u32, c: std::ops::Range<f64>| {
+        (size(), orientation(), prop::array::uniform3(c)).prop_map(move |(s, q, c)| cuboid(i, s, q, c))
+    };
     (body(0, -1e-9..1e-9), body(1, -0.05..0.05))
 }
 
@@ -53,7 +59,8 @@ fn gap_along(a: &Cuboid, b: &Cuboid, axis: DVec3) -> f64 {
 fn reference(a: &Cuboid, b: &Cuboid) -> [(f64, DVec3); 2] {
     let columns = |c: &Cuboid| [c.axes.x_axis, c.axes.y_axis, c.axes.z_axis];
     let best = |axes: &mut dyn Iterator<Item = DVec3>| {
-        axes.map(|n| (gap_along(a, b, n), n)).fold((f64::MIN, DVec3::ZERO), |best, next| if next.0 > best.0 { next } else { best })
+        axes.map(|n| (gap_along(a, b, n), n))
+            .fold((f64::MIN, DVec3::ZERO), |best, next| if next.0 > best.0 { next } else { best })
     };
     let crossed = columns(a).into_iter().flat_map(|x| columns(b).map(|y| x.cross(y)));
     let edges = &mut crossed.filter(|n| n.length() > LEAST_EDGE_SINE * (1.0 + 1e-9)).map(DVec3::normalize);
@@ -66,7 +73,9 @@ fn overlap_area(quad: [DVec2; 4], hu: f64, hv: f64) -> f64 {
     let rect = [(1.0, 1.0), (-1.0, 1.0), (-1.0, -1.0), (1.0, -1.0)].map(|(u, v)| DVec2::new(u * hu, v * hv));
     let turn = (quad[1] - quad[0]).perp_dot(quad[2] - quad[1]).signum();
     let mut points: Vec<DVec2> = quad.iter().copied().filter(|p| p.x.abs() <= hu && p.y.abs() <= hv).collect();
-    points.extend(rect.iter().filter(|r| (0..4).all(|i| turn * (quad[(i + 1) % 4] - quad[i]).perp_dot(**r - quad[i]) >= 0.0)));
+    points.extend(
+        rect.iter().filter(|r| (0..4).all(|i| turn * (quad[(i + 1) % 4] - quad[i]).perp_dot(**r - quad[i]) >= 0.0)),
+    );
     for i in 0..4 {
         for j in 0..4 {
             let (p, d) = (quad[i], quad[(i + 1) % 4] - quad[i]);

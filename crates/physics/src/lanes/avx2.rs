@@ -29,7 +29,8 @@ impl Turn for F32 {
     #[inline(always)]
     fn columns(row: impl FnMut(usize) -> Self::Row) -> [Self; 8] {
         let [a, b, c, d, e, f, g, h]: [Self::Row; 8] = collect(row);
-        let [a, b, c, d, e, f, g, h] = eight([a.0[0].0, b.0[0].0, c.0[0].0, d.0[0].0, e.0[0].0, f.0[0].0, g.0[0].0, h.0[0].0]);
+        let [a, b, c, d, e, f, g, h] =
+            eight([a.0[0].0, b.0[0].0, c.0[0].0, d.0[0].0, e.0[0].0, f.0[0].0, g.0[0].0, h.0[0].0]);
         [Self(a), Self(b), Self(c), Self(d), Self(e), Self(f), Self(g), Self(h)]
     }
     #[inline(always)]

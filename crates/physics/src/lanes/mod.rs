@@ -100,7 +100,15 @@ real!(f64, avx2::F64, avx2::F64, sse2::F64, simd128::F64);
 
 /// Several numbers, one a lane.
 pub trait Lanes:
-    Copy + Add<Output = Self> + Sub<Output = Self> + Mul<Output = Self> + Div<Output = Self> + Neg<Output = Self> + AddAssign + SubAssign + Turn
+    Copy
+    + Add<Output = Self>
+    + Sub<Output = Self>
+    + Mul<Output = Self>
+    + Div<Output = Self>
+    + Neg<Output = Self>
+    + AddAssign
+    + SubAssign
+    + Turn
 {
     /// A yes or no a lane.
     type Mask: Copy;

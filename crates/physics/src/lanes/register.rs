@@ -39,7 +39,9 @@ impl<L: Lanes, const N: usize> Row<L::Number> for Parts<L, N> {
 
 /// The first rows. The closure is called in one place, which lets the compiler put it there.
 #[inline(always)]
-pub fn collect<L: Lanes, const N: usize, const ROWS: usize>(mut row: impl FnMut(usize) -> Parts<L, N>) -> [Parts<L, N>; ROWS] {
+pub fn collect<L: Lanes, const N: usize, const ROWS: usize>(
+    mut row: impl FnMut(usize) -> Parts<L, N>,
+) -> [Parts<L, N>; ROWS] {
     let mut rows = [Parts([L::zero(); N]); ROWS];
     for (l, to) in rows.iter_mut().enumerate() {
         *to = row(l);

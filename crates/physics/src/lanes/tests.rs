@@ -83,12 +83,16 @@ fn agrees<L: Lanes>() {
         }
     }
     for rows in all.chunks_exact(LINE) {
-        let row = |l: usize| -> [L::Number; ROW] { std::array::from_fn(|i| if i % 4 == 3 { zero } else { rows[l][i] }) };
+        let row =
+            |l: usize| -> [L::Number; ROW] { std::array::from_fn(|i| if i % 4 == 3 { zero } else { rows[l][i] }) };
         let columns = L::columns(|l| L::Row::read(&row(l)));
         for (i, column) in columns.into_iter().enumerate() {
             let mut out = [zero; LINE];
             column.store(&mut out, 0);
-            assert_eq!(bits(out)[..L::WIDTH], bits(std::array::from_fn(|l| if l < L::WIDTH { row(l)[i] } else { zero }))[..L::WIDTH]);
+            assert_eq!(
+                bits(out)[..L::WIDTH],
+                bits(std::array::from_fn(|l| if l < L::WIDTH { row(l)[i] } else { zero }))[..L::WIDTH]
+            );
         }
         let mut count = 0;
         for (l, back) in L::rows(columns).into_iter().enumerate() {
@@ -103,8 +107,9 @@ fn agrees<L: Lanes>() {
         (a + b).write(&mut sums[0]);
         (a - b).write(&mut sums[1]);
         for (i, (x, y)) in row(0).into_iter().zip(row(1)).enumerate() {
-            let same =
-                |x: L::Number, y: L::Number| x.to_f64().to_bits() == y.to_f64().to_bits() || x.to_f64().is_nan() && y.to_f64().is_nan();
+            let same = |x: L::Number, y: L::Number| {
+                x.to_f64().to_bits() == y.to_f64().to_bits() || x.to_f64().is_nan() && y.to_f64().is_nan()
+            };
             assert!(same(sums[0][i], x + y) && same(sums[1][i], x - y));
         }
     }

@@ -7,7 +7,9 @@ use glam::{DMat3, DVec3};
 use super::springs::{KINDS, SPRINGS, ends, spring};
 use super::{PARTICLES, STRAIN_INERTIA, outer, place, sign, whole_moment};
 use crate::form::{Form, Loading, Motion, Push, Taken, lanes};
-use crate::kernel::{Group, Lane, Row, cross, into_frame, load, load3, out_of_frame, put3, row, row_mut, store3, vector};
+use crate::kernel::{
+    Group, Lane, Row, cross, into_frame, load, load3, out_of_frame, put3, row, row_mut, store3, vector,
+};
 use crate::lanes::{Lanes, ROW, Real, Row as _};
 
 /// A block a lane. Lengths and velocities are in the world, from the pose at the last sync.
@@ -74,7 +76,11 @@ impl<L: Lanes> Motion<L> for Straining<L> {
     #[inline(always)]
     fn at(&self, r: &[L; 2], q: &[L; 2]) -> [L; 3] {
         let [x, y] = &self.along;
-        [self.v[0] + (x[0] * r[0] + y[0] * r[1]), self.v[1] + (x[1] * q[0] + y[1] * q[1]), self.v[2] + (x[2] * q[0] + y[2] * q[1])]
+        [
+            self.v[0] + (x[0] * r[0] + y[0] * r[1]),
+            self.v[1] + (x[1] * q[0] + y[1] * q[1]),
+            self.v[2] + (x[2] * q[0] + y[2] * q[1]),
+        ]
     }
 
     #[inline(always)]
@@ -173,10 +179,14 @@ impl<R: Real> Form<R> for Lattice<R> {
     #[inline(always)]
     fn relative<L: Lanes<Number = R>>(group: &Group<R>, part: usize, velocity: &[Row<R>], motion: &mut Straining<L>) {
         let first = L::WIDTH * part;
-        let d = L::columns(|l| L::Row::read(row(velocity, group.b[first + l])) - L::Row::read(row(velocity, group.a[first + l])));
+        let d = L::columns(|l| {
+            L::Row::read(row(velocity, group.b[first + l])) - L::Row::read(row(velocity, group.a[first + l]))
+        });
         let next = ROW as u32;
-        let e =
-            L::columns(|l| L::Row::read(row(velocity, group.b[first + l] + next)) - L::Row::read(row(velocity, group.a[first + l] + next)));
+        let e = L::columns(|l| {
+            L::Row::read(row(velocity, group.b[first + l] + next))
+                - L::Row::read(row(velocity, group.a[first + l] + next))
+        });
         let change = [[d[4], d[5], d[6]], [e[0], e[1], e[2]], [e[4], e[5], e[6]]];
         for (to, tangent) in motion.along.iter_mut().zip(&group.frame[1..]) {
             group.resolve(part, &out_of_frame(&change, &load3(tangent, part)), to);
@@ -203,7 +213,13 @@ impl<R: Real> Form<R> for Lattice<R> {
 
     /// Semi-implicit Euler, as for rigid bodies: places, the springs at them, then velocities.
     #[inline(always)]
-    fn integrate<L: Lanes<Number = R>>(&mut self, part: usize, velocity: &mut [Row<R>], force: &mut [Row<R>], load: &[Row<R>]) {
+    fn integrate<L: Lanes<Number = R>>(
+        &mut self,
+        part: usize,
+        velocity: &mut [Row<R>],
+        force: &mut [Row<R>],
+        load: &[Row<R>],
+    ) {
         let mut pulls = self.outside::<L>(part, force);
         for (to, from) in force.iter_mut().zip(load) {
             *to = *from;
@@ -246,7 +262,8 @@ impl<R: Real> Form<R> for Lattice<R> {
         let travel = length(sum) * L::number(1.0 / PARTICLES as f64) + ends * self::load(&self.spread, part);
         // a turn about one axis moves the ends of two
         let turn = turn * L::number(0.5);
-        L::any(self::load::<L>(&self.travel_bound, part).less(travel)) || L::any(self::load::<L>(&self.turn_bound, part).less(turn))
+        L::any(self::load::<L>(&self.travel_bound, part).less(travel))
+            || L::any(self::load::<L>(&self.turn_bound, part).less(turn))
     }
 
     fn displacement(&self, l: usize) -> (DVec3, DVec3) {
@@ -349,7 +366,8 @@ impl<R: Real> Lattice<R> {
     /// What the springs do to the velocity of each particle in a substep.
     #[inline(always)]
     fn springs<L: Lanes<Number = R>>(&mut self, part: usize, u: &[[L; 3]; PARTICLES], pulls: &mut [[L; 3]; PARTICLES]) {
-        let [x, y, z] = [load3::<L>(&self.edge[0], part), load3::<L>(&self.edge[1], part), load3::<L>(&self.edge[2], part)];
+        let [x, y, z] =
+            [load3::<L>(&self.edge[0], part), load3::<L>(&self.edge[1], part), load3::<L>(&self.edge[2], part)];
         // from the lower to the higher particle: the highest axis that a spring goes along, it goes upwards
         let (y_plus, y_minus) = (sum_of(&y, &x), difference(&y, &x));
         let (zx_plus, zx_minus) = (sum_of(&z, &x), difference(&z, &x));

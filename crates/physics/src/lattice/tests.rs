@@ -48,7 +48,9 @@ fn each_pair_of_particles_has_a_spring() {
 fn a_spring_pulls_as_the_dissertation_says_to_first_order_of_its_strain() {
     let (k, h) = (1e6, 1e-5);
     let c = 30.0;
-    for (rest, turn) in [(DVec3::new(0.02, 0.0, 0.0), 0.0), (DVec3::new(0.01, -0.015, 0.01), 0.3), (DVec3::new(0.0, 0.02, 0.01), -2.0)] {
+    for (rest, turn) in
+        [(DVec3::new(0.02, 0.0, 0.0), 0.0), (DVec3::new(0.01, -0.015, 0.01), 0.3), (DVec3::new(0.0, 0.02, 0.01), -2.0)]
+    {
         for strain in [1e-6, -1e-5, 1e-4] {
             let q = DQuat::from_axis_angle(DVec3::new(1.0, 2.0, -1.0).normalize(), turn);
             let difference = q * rest * (1.0 + strain);
@@ -59,13 +61,22 @@ fn a_spring_pulls_as_the_dissertation_says_to_first_order_of_its_strain() {
             let (stiffness, damping) = (k * (1.0 + beta) / square, k * beta / square);
             let strain_before = 0.5 * (before.length_squared() - square);
             let zero = lanes(DVec3::ZERO);
-            let (force, now) =
-                spring(&zero, &lanes(difference - rest), &lanes(rest), L::splat(stiffness), L::splat(damping), L::splat(strain_before));
+            let (force, now) = spring(
+                &zero,
+                &lanes(difference - rest),
+                &lanes(rest),
+                L::splat(stiffness),
+                L::splat(damping),
+                L::splat(strain_before),
+            );
             let (force, now) = (vector(force), number(now));
             assert!((now - 0.5 * (difference.length_squared() - square)).abs() < 1e-17);
             let expected = plain(k, c, length, difference, rate);
             let scale = k * length * strain.abs() + c * rate.length();
-            assert!((force - expected).length() < 3.0 * (strain.abs() + rate.length() * h / length) * scale, "{force} for {expected}");
+            assert!(
+                (force - expected).length() < 3.0 * (strain.abs() + rate.length() * h / length) * scale,
+                "{force} for {expected}"
+            );
         }
     }
 }

@@ -57,14 +57,17 @@ pub fn count(workload: &Workload) -> Result<Count, Fault> {
     }
     let mut words = said.split_whitespace();
     let (substeps, hash) = (words.next().and_then(|word| word.parse().ok()), words.next());
-    let (Some(substeps), Some(hash)) = (substeps, hash) else { return Err(fault(&format!("under valgrind it said {said:?}"))) };
+    let (Some(substeps), Some(hash)) = (substeps, hash) else {
+        return Err(fault(&format!("under valgrind it said {said:?}")));
+    };
 
     workload.measured().iter().for_each(|input| drop(world.step(input)));
     if hash != hex(world.hash()) {
         return Err(fault("valgrind does not compute what the processor does"));
     }
     let profile = std::fs::read_to_string(&profile).map_err(|e| fault(&e.to_string()))?;
-    let total = profile.lines().find_map(|line| line.strip_prefix("totals:")).and_then(|total| total.trim().parse().ok());
+    let total =
+        profile.lines().find_map(|line| line.strip_prefix("totals:")).and_then(|total| total.trim().parse().ok());
     let instructions = total.filter(|&total: &u64| total > 0).ok_or_else(|| fault("valgrind has counted nothing"))?;
     Ok(Count { name: name.clone(), frames: workload.frames as u32, substeps, instructions, hash: hash.to_owned() })
 }

@@ -71,7 +71,8 @@ fn accept(file: &Path, reason: &str) -> Result<(), Fault> {
 /// The workloads that this processor can play, and the names of the others: it would take narrower registers for them, and the count would
 /// be that of another program.
 fn playable() -> Result<(Vec<Workload>, Vec<String>), Fault> {
-    let (playable, others): (Vec<_>, Vec<_>) = counted()?.into_iter().partition(|workload| workload.params.width.available());
+    let (playable, others): (Vec<_>, Vec<_>) =
+        counted()?.into_iter().partition(|workload| workload.params.width.available());
     Ok((playable, others.into_iter().map(|workload| workload.name).collect()))
 }
 

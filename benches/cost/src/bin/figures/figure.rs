@@ -62,7 +62,9 @@ impl Figure {
 pub fn figures(timed: &[Timed]) -> Vec<Figure> {
     use Goal::{About, AtLeast, AtMost};
     use name::*;
-    let of = |what: &str, way: &str| timed.iter().find(|t| t.what == what && t.way == way).expect("everything on the list is timed");
+    let of = |what: &str, way: &str| {
+        timed.iter().find(|t| t.what == what && t.way == way).expect("everything on the list is timed")
+    };
     let native = |what: &str| of(what, NATIVE);
     let one = |what: &str| of(what, ONE_THREAD);
     let two = |what: &str| of(what, TWO_THREADS);
@@ -70,9 +72,24 @@ pub fn figures(timed: &[Timed]) -> Vec<Figure> {
         frame("full tower awake, a frame, native", native(AWAKE)),
         frame("the same in registers no wider than AVX2", of(AWAKE, AVX2)),
         ratio("full tower awake, WebAssembly with simd128 over native", AtMost(2.2), of(AWAKE, SIMD128), native(AWAKE)),
-        ratio("full tower awake, WebAssembly without simd128 over native", AtMost(5.0), of(AWAKE, SCALAR), native(AWAKE)),
-        ratio("full tower awake, WebAssembly with simd128 over native AVX2", AtMost(2.2), of(AWAKE, SIMD128), of(AWAKE, AVX2)),
-        ratio("full tower awake, WebAssembly without simd128 over native AVX2", AtMost(5.0), of(AWAKE, SCALAR), of(AWAKE, AVX2)),
+        ratio(
+            "full tower awake, WebAssembly without simd128 over native",
+            AtMost(5.0),
+            of(AWAKE, SCALAR),
+            native(AWAKE),
+        ),
+        ratio(
+            "full tower awake, WebAssembly with simd128 over native AVX2",
+            AtMost(2.2),
+            of(AWAKE, SIMD128),
+            of(AWAKE, AVX2),
+        ),
+        ratio(
+            "full tower awake, WebAssembly without simd128 over native AVX2",
+            AtMost(5.0),
+            of(AWAKE, SCALAR),
+            of(AWAKE, AVX2),
+        ),
         worst("full collapse, worst frame, native", AtMost(8.0), native(COLLAPSE)),
         worst("full collapse, worst frame, WebAssembly", AtMost(16.0), of(COLLAPSE, SIMD128)),
         worst("six lowest rows knocked out, worst frame, native", AtMost(8.0), native(HIT_LOW)),
@@ -81,9 +98,12 @@ pub fn figures(timed: &[Timed]) -> Vec<Figure> {
         second("blocks of springs, full tower awake, a second, native", AtMost(350.0), native(SPRINGS)),
         second("blocks of springs, full tower awake, a second, WebAssembly", AtMost(650.0), of(SPRINGS, SIMD128)),
         ratio("tower asleep over awake", AtMost(1.0), native(ASLEEP), native(AWAKE)).times(100.0, " %"),
-        ratio("cost of a block, 60 rows at rest over 6 rows", AtMost(1.15), native(ROWS_60), native(ROWS_6)).times(0.1, ""),
-        ratio("cost of a block, 60 rows that sway over 6 rows", Goal::None, native(SWAYING), native(ROWS_6)).times(0.1, ""),
-        speedup("200 towers in a world over one of them alone", About(200.0), one(TOGETHER_200), one(APART_200)).times(200.0, ""),
+        ratio("cost of a block, 60 rows at rest over 6 rows", AtMost(1.15), native(ROWS_60), native(ROWS_6))
+            .times(0.1, ""),
+        ratio("cost of a block, 60 rows that sway over 6 rows", Goal::None, native(SWAYING), native(ROWS_6))
+            .times(0.1, ""),
+        speedup("200 towers in a world over one of them alone", About(200.0), one(TOGETHER_200), one(APART_200))
+            .times(200.0, ""),
         speedup("64 towers in a world, two threads over one", AtLeast(1.9), one(TOGETHER_64), two(TOGETHER_64)),
         speedup("64 towers in a world each, two threads over one", AtLeast(1.9), one(APART_64), two(APART_64)),
     ]
@@ -97,7 +117,14 @@ fn per_frame(stretch: &Stretch) -> f64 {
 /// What a frame takes of the processor.
 fn frame(of: &str, timed: &Timed) -> Figure {
     let frames: Vec<f64> = timed.stretches.iter().map(per_frame).collect();
-    Figure { of: of.into(), goal: Goal::None, unit: " ms", quartiles: quartiles(&frames), value: None, hash: hashes(&[timed]) }
+    Figure {
+        of: of.into(),
+        goal: Goal::None,
+        unit: " ms",
+        quartiles: quartiles(&frames),
+        value: None,
+        hash: hashes(&[timed]),
+    }
 }
 
 /// What a second of 60 frames takes of the processor.
@@ -107,7 +134,8 @@ fn second(of: &str, goal: Goal, timed: &Timed) -> Figure {
 
 /// The ratio of what a frame takes of the processor, of both in the same round.
 fn ratio(of: &str, goal: Goal, over: &Timed, under: &Timed) -> Figure {
-    let ratios: Vec<f64> = over.stretches.iter().zip(&under.stretches).map(|(a, b)| per_frame(a) / per_frame(b)).collect();
+    let ratios: Vec<f64> =
+        over.stretches.iter().zip(&under.stretches).map(|(a, b)| per_frame(a) / per_frame(b)).collect();
     Figure { of: of.into(), goal, unit: "", quartiles: quartiles(&ratios), value: None, hash: hashes(&[over, under]) }
 }
 
@@ -117,7 +145,14 @@ fn worst(of: &str, goal: Goal, timed: &Timed) -> Figure {
     let least = least(timed);
     let frame = (0..least.len()).max_by(|&a, &b| least[a].total_cmp(&least[b])).expect("a workload has frames");
     let rounds: Vec<f64> = timed.stretches.iter().map(|stretch| stretch.frames[frame]).collect();
-    Figure { of: of.into(), goal, unit: " ms", quartiles: quartiles(&rounds), value: Some(least[frame]), hash: hashes(&[timed]) }
+    Figure {
+        of: of.into(),
+        goal,
+        unit: " ms",
+        quartiles: quartiles(&rounds),
+        value: Some(least[frame]),
+        hash: hashes(&[timed]),
+    }
 }
 
 /// How much longer a frame takes by the clock on the wall: the frame that took least of one over that of the other, for they are all the
@@ -166,7 +201,8 @@ mod tests {
 
     #[test]
     fn a_ratio_is_that_of_frames_in_the_same_round() {
-        let (over, under) = (timed("a", &[&[4.0], &[40.0], &[9.0]]), timed("b", &[&[1.0, 3.0], &[10.0, 30.0], &[1.0, 2.0]]));
+        let (over, under) =
+            (timed("a", &[&[4.0], &[40.0], &[9.0]]), timed("b", &[&[1.0, 3.0], &[10.0, 30.0], &[1.0, 2.0]]));
         let figure = ratio("it", Goal::None, &over, &under);
         assert_eq!((figure.value(), figure.hash.as_str()), (2.0, "a, b"));
         assert_eq!(figure.times(100.0, " %").value(), 200.0);

@@ -41,7 +41,10 @@ impl Args {
             }
             let value = words.next().ok_or(format!("{word} needs a value, or is not known; try --help"))?;
             match word.as_str() {
-                "--rounds" => args.rounds = value.parse().ok().filter(|n| (3..=1000).contains(n)).ok_or("--rounds takes 3 to 1000")?,
+                "--rounds" => {
+                    args.rounds =
+                        value.parse().ok().filter(|n| (3..=1000).contains(n)).ok_or("--rounds takes 3 to 1000")?
+                }
                 "--docs" => args.docs = Some(value.into()),
                 _ => return Err(format!("{word} is not known; try --help")),
             }

@@ -55,7 +55,8 @@ pub fn all() -> Result<Vec<Timed>, Fault> {
     one_thread()?;
     let mut timed = Vec::new();
     let builds = [name::SIMD128, name::SCALAR];
-    let nodes: Vec<_> = builds.iter().map(|build| Ok(Rc::new(RefCell::new(Node::start(build)?)))).collect::<Result<_, Fault>>()?;
+    let nodes: Vec<_> =
+        builds.iter().map(|build| Ok(Rc::new(RefCell::new(Node::start(build)?)))).collect::<Result<_, Fault>>()?;
     let workloads = [
         (name::AWAKE, Workload::awake(18, 1e6, Precision::Single)?, 2),
         (name::SPRINGS, Workload::springs()?, 1),

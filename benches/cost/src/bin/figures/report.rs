@@ -25,7 +25,8 @@ pub fn markdown(figures: &[Figure], rounds: usize) -> String {
         let [low, _, high] = figure.quartiles;
         let Figure { of, hash, .. } = figure;
         let (value, low, high) = (short(figure.value()), short(low), short(high));
-        writeln!(text, "| {of} | {goal} | {value}{unit} ({low} to {high}) | {met} | {hash} |").expect("a string takes all");
+        writeln!(text, "| {of} | {goal} | {value}{unit} ({low} to {high}) | {met} | {hash} |")
+            .expect("a string takes all");
     }
     let node = std::process::Command::new("node").arg("--version").output();
     let node = node.map_or(String::new(), |told| String::from_utf8_lossy(&told.stdout).trim().to_owned());
@@ -60,9 +61,13 @@ mod tests {
     #[test]
     fn only_this_table_is_replaced() {
         let other = "<!-- table: written by another -->\n\nold\n\n<!-- end of table -->\n";
-        let page = format!("{other}a\n<!-- table: written by tools/figures -->\nold\n<!-- end of table -->\nb\n{other}");
+        let page =
+            format!("{other}a\n<!-- table: written by tools/figures -->\nold\n<!-- end of table -->\nb\n{other}");
         let new = with_table(&page, "new\n").unwrap();
-        assert_eq!(new, format!("{other}a\n<!-- table: written by tools/figures -->\n\nnew\n\n<!-- end of table -->\nb\n{other}"));
+        assert_eq!(
+            new,
+            format!("{other}a\n<!-- table: written by tools/figures -->\n\nnew\n\n<!-- end of table -->\nb\n{other}")
+        );
         assert_eq!(with_table(&new, "new\n").unwrap(), new);
         assert!(with_table(other, "new").is_none());
     }

@@ -48,13 +48,28 @@ pub fn measure(size: &Size) -> Result<Section, Fault> {
     let (push, pushes) = column(size)?;
     section.goal("column push, furthest from Coulomb", format!("{:.2} %", 100.0 * push), "0.5 %", push <= 5e-3);
     let mut off = Vec::new();
-    off.push(row("distance until a block at 0.5 m/s stops, mu 0.4", stopping(form, 0.4, None)?, 0.25 / (2.0 * 0.4 * 9.81), "m"));
-    off.push(row("the same, static 0.5 and kinetic 0.3", stopping(form, 0.5, Some(0.3))?, 0.25 / (2.0 * 0.3 * 9.81), "m"));
+    off.push(row(
+        "distance until a block at 0.5 m/s stops, mu 0.4",
+        stopping(form, 0.4, None)?,
+        0.25 / (2.0 * 0.4 * 9.81),
+        "m",
+    ));
+    off.push(row(
+        "the same, static 0.5 and kinetic 0.3",
+        stopping(form, 0.5, Some(0.3))?,
+        0.25 / (2.0 * 0.3 * 9.81),
+        "m",
+    ));
     for direction in [0.0, 30.0, 45.0, 90.0_f64] {
         let (sin, cos) = libm::sincos(direction.to_radians());
         let world = settled(&one(form, SIZE, 0.4, None), params()).map_err(built)?;
         let force = starting_force(&world, 0, DVec3::new(cos, sin, 0.0)).unwrap_or(f64::NAN);
-        off.push(row(&format!("force that starts a block at {direction} degrees to its length"), force, 0.4 * 0.0196 * 9.81, "N"));
+        off.push(row(
+            &format!("force that starts a block at {direction} degrees to its length"),
+            force,
+            0.4 * 0.0196 * 9.81,
+            "N",
+        ));
     }
     for mu in [0.25, 0.5] {
         let world = settled(&one(form, SIZE, mu, None), params()).map_err(built)?;
@@ -64,10 +79,20 @@ pub fn measure(size: &Size) -> Result<Section, Fault> {
     let kinetic = settled(&one(form, SIZE, 0.5, Some(0.35)), params()).map_err(built)?;
     let force = starting_force(&kinetic, 0, DVec3::X).unwrap_or(f64::NAN);
     off.push(row("force that starts a block, static 0.5 and kinetic 0.35", force, 0.5 * 0.0196 * 9.81, "N"));
-    section.goal("slides and starts, furthest from Coulomb", format!("{:.2} %", 100.0 * largest(&off)), "1 %", largest(&off) <= 0.01);
+    section.goal(
+        "slides and starts, furthest from Coulomb",
+        format!("{:.2} %", 100.0 * largest(&off)),
+        "1 %",
+        largest(&off) <= 0.01,
+    );
 
     let (holds, slides) = incline(form)?;
-    section.goal("incline at 0.998 of the angle of friction, creep in 10 s", format!("{holds:.1e} m"), "1e-8 m", holds < 1e-8);
+    section.goal(
+        "incline at 0.998 of the angle of friction, creep in 10 s",
+        format!("{holds:.1e} m"),
+        "1e-8 m",
+        holds < 1e-8,
+    );
     section.goal("incline at 1.005 of it, way in 10 s", format!("{:.0} mm", 1e3 * slides), "slides", slides > 5e-3);
 
     let shapes = [[0.081, 0.0268, 0.018], [0.081, 0.018, 0.0268], [0.0268, 0.018, 0.018], [0.0268, 0.0268, 0.018]];
@@ -80,12 +105,17 @@ pub fn measure(size: &Size) -> Result<Section, Fault> {
         let name = format!("time until a spin of 10 rad/s on a patch of {:.1} x {:.1} mm ends", 1e3 * a, 1e3 * b);
         spins.push(row(&name, spin_down(form, shape)?, expected, "s"));
     }
-    section.say("spins on patches of four shapes, furthest from a uniform pressure", format!("{:.1} %", 100.0 * largest(&spins)));
+    section.say(
+        "spins on patches of four shapes, furthest from a uniform pressure",
+        format!("{:.1} %", 100.0 * largest(&spins)),
+    );
 
     let mut bounces = Series { name: "mean of 40 drops".into(), line: true, ..Series::default() };
     for e in [0.45, 0.5, 0.55, 0.6] {
         let drops: Vec<u32> = (0..40).collect();
-        let ratios = each(&drops, |&i| bounce(form, e, 0.01 + 1.37e-6 * f64::from(i))).into_iter().collect::<Result<Vec<f64>, _>>()?;
+        let ratios = each(&drops, |&i| bounce(form, e, 0.01 + 1.37e-6 * f64::from(i)))
+            .into_iter()
+            .collect::<Result<Vec<f64>, _>>()?;
         bounces.points.push((e, mean(&ratios)));
         row(&format!("restitution of a flat drop, {e}"), mean(&ratios), e, "");
     }

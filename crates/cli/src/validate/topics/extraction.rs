@@ -98,18 +98,42 @@ pub fn measure(size: &Size) -> Result<Section, Fault> {
             taken.iter().filter(|t| t.fell).count().to_string(),
             format!("{:.2}", quantile(&force, 0.5)),
         ]);
-        let failed: Vec<Value> =
-            taken.iter().zip(all).filter(|(t, _)| !t.out || t.others_mm > DISTURBS).map(|(t, a)| json!({"body": a.1, "seen": t})).collect();
+        let failed: Vec<Value> = taken
+            .iter()
+            .zip(all)
+            .filter(|(t, _)| !t.out || t.others_mm > DISTURBS)
+            .map(|(t, a)| json!({"body": a.1, "seen": t}))
+            .collect();
         data.push(json!({"stiffness": stiffness, "speed": speed, "others_mm": others, "disturbing": failed}));
     }
     bar.finish_and_clear();
     section.table(
-        &["N/m", "cm/s", "out", "others within 0.2 mm", "others mm: median, 95 %, largest", "towers that lose a block", "force N"],
+        &[
+            "N/m",
+            "cm/s",
+            "out",
+            "others within 0.2 mm",
+            "others mm: median, 95 %, largest",
+            "towers that lose a block",
+            "force N",
+        ],
         rows,
     );
     let x = || Axis::log("speed, cm/s");
-    section.plots.push(Plot { title: "Blocks that come out".into(), x: x(), y: Axis::new("%"), series: vec![success], diagonal: false });
-    section.plots.push(Plot { title: "What others move".into(), x: x(), y: Axis::log("mm"), series: vec![moved, most], diagonal: false });
+    section.plots.push(Plot {
+        title: "Blocks that come out".into(),
+        x: x(),
+        y: Axis::new("%"),
+        series: vec![success],
+        diagonal: false,
+    });
+    section.plots.push(Plot {
+        title: "What others move".into(),
+        x: x(),
+        y: Axis::log("mm"),
+        series: vec![moved, most],
+        diagonal: false,
+    });
     section.data = json!(data);
     Ok(section)
 }

@@ -27,29 +27,45 @@ pub fn measure(size: &Size) -> Result<Section, Fault> {
     );
     let stiffest = if size.quick { 1e6 } else { 3e6 };
     let all = maps(size, size.towers, stiffest)?;
-    let exact: Vec<(f64, f64)> = all.iter().filter_map(|b| exact_of(b).zip(middle(b)).map(|(e, f)| (e.straight_n, f))).collect();
+    let exact: Vec<(f64, f64)> =
+        all.iter().filter_map(|b| exact_of(b).zip(middle(b)).map(|(e, f)| (e.straight_n, f))).collect();
     let errors: Vec<f64> = exact.iter().map(|(e, f)| (e - f).abs()).collect();
     let tight: Vec<(f64, f64)> = exact.iter().copied().filter(|p| p.0 > FOUND).collect();
     let (found, loose) = loose_found(&all);
     let r = correlation(&exact);
     section.goal("force map where exact: correlation", format!("{r:.5}"), "0.995", r >= 0.995);
     section.goal("loose blocks found below 0.1 N", format!("{found} of {loose}"), "every one", found == loose);
-    section.goal("force map where exact: mean error", format!("{:.4} N", mean(&errors)), "0.02 N", mean(&errors) <= 0.02);
+    section.goal(
+        "force map where exact: mean error",
+        format!("{:.4} N", mean(&errors)),
+        "0.02 N",
+        mean(&errors) <= 0.02,
+    );
     section.say("the same, 95 % within", format!("{:.4} N", quantile(&errors, 0.95)));
-    section.say("blocks with an exact answer", format!("{} of {}, {} of them tight", exact.len(), all.len(), tight.len()));
+    section
+        .say("blocks with an exact answer", format!("{} of {}, {} of them tight", exact.len(), all.len(), tight.len()));
     section.say(
         "tight ones among them: correlation, mean error",
-        format!("{:.5}, {:.4} N", correlation(&tight), mean(&tight.iter().map(|(e, f)| (e - f).abs()).collect::<Vec<_>>())),
+        format!(
+            "{:.5}, {:.4} N",
+            correlation(&tight),
+            mean(&tight.iter().map(|(e, f)| (e - f).abs()).collect::<Vec<_>>())
+        ),
     );
     // heights within what contacts give: the straight answer of springs of the same stiffness in place of that of rigid blocks
-    let close: Vec<(f64, f64)> =
-        all.iter().filter(|b| !b.is_generic() && loose_by_rigid(b)).filter_map(|b| b.on_springs_n.zip(middle(b))).collect();
+    let close: Vec<(f64, f64)> = all
+        .iter()
+        .filter(|b| !b.is_generic() && loose_by_rigid(b))
+        .filter_map(|b| b.on_springs_n.zip(middle(b)))
+        .collect();
     section.say(
         "blocks that only rigid blocks call loose, for heights differ by less than contacts give: straight pull on springs at rest, and measured",
         if close.is_empty() { "none".into() } else { close.iter().map(|(s, f)| format!("{s:.3} N, {f:.3} N")).collect::<Vec<_>>().join("; ") },
     );
-    let turning: Vec<(f64, f64)> =
-        all.iter().filter_map(|b| b.exact.filter(|e| !e.is_exact() && !e.rocks()).zip(middle(b)).map(|(e, f)| (e.turning_n, f))).collect();
+    let turning: Vec<(f64, f64)> = all
+        .iter()
+        .filter_map(|b| b.exact.filter(|e| !e.is_exact() && !e.rocks()).zip(middle(b)).map(|(e, f)| (e.turning_n, f)))
+        .collect();
     let off: Vec<f64> = turning.iter().map(|(e, f)| (e - f).abs()).collect();
     section.say(
         "tight blocks whose tower turns: correlation and mean distance from the turning answer",

@@ -56,10 +56,19 @@ pub fn standing(size: &Size) -> Result<Section, Fault> {
         clear += usize::from(is_clear);
         clear_right += usize::from(good && is_clear);
         if !good {
-            rows.push(vec![t.scene.name.clone(), t.scene.label.clone().unwrap_or_default(), format!("{:?}", t.scene.margin)]);
+            rows.push(vec![
+                t.scene.name.clone(),
+                t.scene.label.clone().unwrap_or_default(),
+                format!("{:?}", t.scene.margin),
+            ]);
         }
     }
-    section.goal("labelled towers with a margin of 0.1 mm or more", format!("{clear_right} of {clear} right"), "all", clear_right == clear);
+    section.goal(
+        "labelled towers with a margin of 0.1 mm or more",
+        format!("{clear_right} of {clear} right"),
+        "all",
+        clear_right == clear,
+    );
     let n = towers.len();
     section.goal("all labelled towers", format!("{right} of {n} right"), "99.5 %", right as f64 >= 0.995 * n as f64);
     section.table(&["wrong", "label", "margin mm"], rows);
@@ -77,7 +86,8 @@ pub fn tilt(size: &Size) -> Result<Section, Fault> {
         "The angle of the floor at which a tower collapses, by bisection with gravity held still, against limit analysis. Towers whose answer depends \
          on contact between the sides of neighbours are left out of the figures and drawn apart.",
     );
-    let (mut plain, mut sides, mut errors) = (Series { name: "towers".into(), ..Series::default() }, Series::default(), Vec::new());
+    let (mut plain, mut sides, mut errors) =
+        (Series { name: "towers".into(), ..Series::default() }, Series::default(), Vec::new());
     sides.name = "depends on sides".into();
     for (t, p) in towers.iter().zip(&predictions) {
         let (Prediction::Tilt { tilt_deg, .. }, Some(truth)) = (p, t.truth.tilt_deg) else { continue };

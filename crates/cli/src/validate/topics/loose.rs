@@ -37,14 +37,17 @@ pub fn measure(size: &Size) -> Result<Section, Fault> {
             let below_top = scene.blocks.len() - 3;
             let rigid = Rigid::new(scene).ok();
             bar.inc(1);
-            let exact = rigid.map(|r| (0..below_top).filter(|&i| r.force_above(i) < 1e-3).count() as f64 / below_top as f64);
+            let exact =
+                rigid.map(|r| (0..below_top).filter(|&i| r.force_above(i) < 1e-3).count() as f64 / below_top as f64);
             Ok::<_, Fault>((loads[..below_top].to_vec(), exact))
         });
         let seen = seen.into_iter().collect::<Result<Vec<_>, _>>()?;
-        let tower: Vec<f64> = seen.iter().map(|(l, _)| l.iter().filter(|l| l.is_loose()).count() as f64 / l.len() as f64).collect();
+        let tower: Vec<f64> =
+            seen.iter().map(|(l, _)| l.iter().filter(|l| l.is_loose()).count() as f64 / l.len() as f64).collect();
         let exact: Vec<f64> = seen.iter().filter_map(|s| s.1).collect();
-        let of =
-            |loose: bool| -> Vec<f64> { seen.iter().flat_map(|s| &s.0).filter(|l| l.is_loose() == loose).map(|l| l.tightness_n).collect() };
+        let of = |loose: bool| -> Vec<f64> {
+            seen.iter().flat_map(|s| &s.0).filter(|l| l.is_loose() == loose).map(|l| l.tightness_n).collect()
+        };
         let ratio = if of(true).is_empty() { f64::NAN } else { quantile(&of(false), 0.5) / quantile(&of(true), 0.5) };
         share.points.push((sd, 100.0 * mean(&tower)));
         rigid_share.points.push((sd, 100.0 * mean(&exact)));

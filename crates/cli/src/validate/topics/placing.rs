@@ -49,7 +49,8 @@ pub fn measure(size: &Size) -> Result<Section, Fault> {
     for height in heights {
         let placed = each(&cases, |&(scene, column)| {
             let scene = with_block(scene, column);
-            let placed = World::new(&scene, params()).map(|w| let_go(w, scene.blocks.len() as u32 - 1, height)).map_err(built);
+            let placed =
+                World::new(&scene, params()).map(|w| let_go(w, scene.blocks.len() as u32 - 1, height)).map_err(built);
             bar.inc(1);
             placed
         });

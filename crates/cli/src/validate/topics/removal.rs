@@ -32,7 +32,12 @@ pub fn measure(size: &Size) -> Result<Section, Fault> {
     let (n, fell) = (removals.len(), removals.iter().filter(|r| r.fell).count());
     let agree = removals.iter().filter(|r| r.exact_fell == Some(r.fell)).count();
     let creeps: Vec<f64> = removals.iter().filter(|r| !r.fell).map(|r| r.creep_mm).collect();
-    section.goal("single removals: as rigid blocks say", format!("{agree} of {n}"), "99.5 %", agree as f64 >= 0.995 * n as f64);
+    section.goal(
+        "single removals: as rigid blocks say",
+        format!("{agree} of {n}"),
+        "99.5 %",
+        agree as f64 >= 0.995 * n as f64,
+    );
     section.say("towers that fall", format!("{fell} of {n}; jenga_sim_vision has none of 204 with PyBullet"));
     section.goal(
         "creep after a removal",
@@ -46,7 +51,13 @@ pub fn measure(size: &Size) -> Result<Section, Fault> {
     );
     let rows = removals.iter().zip(&all).filter(|(r, _)| r.fell || r.exact_fell != Some(r.fell) || r.creep_mm > 1e-4);
     let rows = rows.map(|(r, (s, _))| {
-        vec![s.name.clone(), r.id.to_string(), r.fell.to_string(), format!("{:?}", r.exact_fell), format!("{:.1e}", r.creep_mm)]
+        vec![
+            s.name.clone(),
+            r.id.to_string(),
+            r.fell.to_string(),
+            format!("{:?}", r.exact_fell),
+            format!("{:.1e}", r.creep_mm),
+        ]
     });
     section.table(&["tower", "block", "falls", "rigid blocks", "creep mm"], rows.take(100).collect());
     let mut sorted = creeps.clone();

@@ -68,15 +68,30 @@ pub fn measure(size: &Size) -> Result<Section, Fault> {
     let pairs = |i: usize, j: usize| all.iter().map(|r| (r[j], r[i])).collect::<Vec<_>>();
     let off = |i: usize, j: usize| mean(&all.iter().map(|r| (r[i] - r[j]).abs()).collect::<Vec<_>>());
     let size_of = mean(&all.iter().map(|r| r[4].abs()).collect::<Vec<_>>());
-    section.say("blocks, and how much the row above turns on average on a mesh", format!("{}, {size_of:.1} mrad/mm", all.len()));
+    section.say(
+        "blocks, and how much the row above turns on average on a mesh",
+        format!("{}, {size_of:.1} mrad/mm", all.len()),
+    );
     section.say(
         "engine at 1e6 against mesh: correlation, mean difference",
         format!("{:.3}, {:.1} mrad/mm", correlation(&pairs(0, 4)), off(0, 4)),
     );
-    section.say("engine at 1e7 in double against mesh", format!("{:.3}, {:.1} mrad/mm", correlation(&pairs(1, 4)), off(1, 4)));
-    section.say("engine at 1e6 against that at 1e7", format!("{:.3}, {:.1} mrad/mm", correlation(&pairs(0, 1)), off(0, 1)));
-    section.say("lever of the patch at four corners against mesh", format!("{:.3}, {:.1} mrad/mm", correlation(&pairs(2, 4)), off(2, 4)));
-    section.say("friction at the corners themselves against mesh", format!("{:.3}, {:.1} mrad/mm", correlation(&pairs(3, 4)), off(3, 4)));
+    section.say(
+        "engine at 1e7 in double against mesh",
+        format!("{:.3}, {:.1} mrad/mm", correlation(&pairs(1, 4)), off(1, 4)),
+    );
+    section.say(
+        "engine at 1e6 against that at 1e7",
+        format!("{:.3}, {:.1} mrad/mm", correlation(&pairs(0, 1)), off(0, 1)),
+    );
+    section.say(
+        "lever of the patch at four corners against mesh",
+        format!("{:.3}, {:.1} mrad/mm", correlation(&pairs(2, 4)), off(2, 4)),
+    );
+    section.say(
+        "friction at the corners themselves against mesh",
+        format!("{:.3}, {:.1} mrad/mm", correlation(&pairs(3, 4)), off(3, 4)),
+    );
     let force = |i: usize| 100.0 * mean(&forces.iter().map(|f| (f[i] / f[2] - 1.0).abs()).collect::<Vec<_>>());
     section.say("force against mesh: lever, corners", format!("{:.1} %, {:.1} % off", force(0), force(1)));
     let same = percent(&all, |r| r[0] * r[4] > 0.0 || r[4].abs() < 3.0);

@@ -51,15 +51,28 @@ pub fn measure(size: &Size) -> Result<Section, Fault> {
     let n = seen.len();
     let count = |so: &dyn Fn(&Yank) -> bool| seen.iter().filter(|y| so(y)).count();
     let (lasting, lost, through) = (count(&|y| y.lasting_s > LASTS), count(&|y| y.lost), count(&|y| y.through));
-    section.goal("yanks and collapses: overlap of more than 1 mm for more than 50 ms", format!("{lasting} of {n}"), "none", lasting == 0);
+    section.goal(
+        "yanks and collapses: overlap of more than 1 mm for more than 50 ms",
+        format!("{lasting} of {n}"),
+        "none",
+        lasting == 0,
+    );
     section.goal("yanks and collapses: not finite or run away", format!("{lost} of {n}"), "none", lost == 0);
-    section.goal("yanks and collapses: a block through another or the floor", format!("{through} of {n}"), "none", through == 0);
+    section.goal(
+        "yanks and collapses: a block through another or the floor",
+        format!("{through} of {n}"),
+        "none",
+        through == 0,
+    );
     let deepest: Vec<f64> = seen.iter().map(|y| y.deepest_mm).collect();
     section.say(
         "deepest overlap at any look: median, 95 %, largest",
         format!("{:.3}, {:.3}, {:.3} mm", quantile(&deepest, 0.5), quantile(&deepest, 0.95), largest(&deepest)),
     );
-    section.say("longest overlap of more than 1 mm", format!("{:.3} s", largest(&seen.iter().map(|y| y.lasting_s).collect::<Vec<_>>())));
+    section.say(
+        "longest overlap of more than 1 mm",
+        format!("{:.3} s", largest(&seen.iter().map(|y| y.lasting_s).collect::<Vec<_>>())),
+    );
     let piles: Vec<Yank> = seen.iter().zip(&cases).filter(|(_, c)| c.bodies.len() > 1).map(|(y, _)| *y).collect();
     let quiet = percent(&piles, |y| y.quiet_s.is_some());
     let times: Vec<f64> = piles.iter().filter_map(|y| y.quiet_s).collect();
@@ -74,7 +87,13 @@ pub fn measure(size: &Size) -> Result<Section, Fault> {
     let rows = rows.map(|(y, c)| {
         let v = c.velocity;
         let at = format!("{} blocks {:?} at ({}, {}, {}) m/s", scenes[c.tower].name, c.bodies, v.x, v.y, v.z);
-        vec![at, format!("{:.2} mm", y.deepest_mm), format!("{:.3} s", y.lasting_s), y.through.to_string(), y.lost.to_string()]
+        vec![
+            at,
+            format!("{:.2} mm", y.deepest_mm),
+            format!("{:.3} s", y.lasting_s),
+            y.through.to_string(),
+            y.lost.to_string(),
+        ]
     });
     section.table(&["case", "deepest", "lasts", "through", "lost"], rows.take(100).collect());
     let points = cases.iter().zip(&seen).map(|(c, y)| (c.velocity.length(), y.deepest_mm)).collect();
