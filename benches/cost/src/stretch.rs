@@ -104,6 +104,6 @@ mod tests {
     #[test]
     fn the_tower_that_sleeps_is_asleep() {
         let world = Workload::asleep().unwrap().settled().unwrap();
-        assert!((0..world.len() as u32).all(|body| world.asleep(body)));
+        assert!(world.bodies().all(|body| world.is_asleep(body)));
     }
 }

@@ -4,7 +4,7 @@ use std::path::Path;
 
 use glam::DVec3;
 use teeter_golden::runs;
-use teeter_physics::{Drive, Input, Params, Precision, Width, World};
+use teeter_physics::{BodyId, Drive, Input, Params, Precision, Width, World};
 use teeter_scene::{Form, Scene, TowerOptions, tower};
 
 use crate::Fault;
@@ -147,11 +147,10 @@ impl Workload {
 /// When there is no tower of so many rows.
 pub fn swept(name: &str, rows: u32, driven: std::ops::Range<u32>, speed: f64) -> Result<Workload, Fault> {
     let scene = tower(&TowerOptions { rows, ..TowerOptions::default() }).map_err(|e| e.to_string())?;
-    let drive =
-        |body| Drive { body, velocity: DVec3::new(speed, 0.25 * speed, 0.0), max_force: Drive::default_force() };
+    let drive = |body| Drive::new(BodyId(body), DVec3::new(speed, 0.25 * speed, 0.0));
     let mut inputs = vec![Input::default(); SWEEP.0];
     let drives = (3 * driven.start..3 * driven.end).map(drive).collect();
-    inputs.resize(SWEEP.0 + SWEEP.1, Input { drives, ..Input::default() });
+    inputs.resize(SWEEP.0 + SWEEP.1, Input::drives(drives));
     Ok(Workload { name: name.into(), scene, params: Params::default(), inputs, settle: SWEEP.0, frames: 180 })
 }
 

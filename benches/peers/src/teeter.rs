@@ -1,7 +1,7 @@
 //! Teeter.
 
 use glam::{DQuat, DVec3};
-use teeter_physics::{AppliedForce, Input, Params, Precision, World};
+use teeter_physics::{AppliedForce, BodyId, Input, Params, Pose, Precision, World};
 use teeter_scene::Scene;
 
 use crate::engine::{Engine, FRAME, Pull};
@@ -51,13 +51,13 @@ impl Teeter {
 impl Engine for Teeter {
     fn frame(&mut self, pull: Option<Pull>) {
         // the world itself lets a force grow evenly from that of the last step
-        let forces = pull.iter().map(|p| AppliedForce { body: p.body as u32, point: DVec3::ZERO, force: p.to });
-        let report = self.0.step(&Input { forces: forces.collect(), ..Input::default() });
+        let forces = pull.iter().map(|p| AppliedForce::at_center(BodyId(p.body as u32), p.to));
+        let report = self.0.step(&Input::forces(forces.collect()));
         assert!(report.quarantined.is_empty(), "Teeter froze blocks {:?}", report.quarantined);
     }
 
     fn pose(&self, body: usize) -> (DVec3, DQuat) {
-        let p = &self.0.poses()[7 * body..];
-        (DVec3::from_slice(p), DQuat::from_slice(&p[3..]))
+        let Pose { position, orientation } = self.0.pose(BodyId(body as u32));
+        (position, orientation)
     }
 }

@@ -64,8 +64,8 @@ fn simulate(scene: &Scene, world: &mut World, seconds: f64) -> Report {
     for _ in 0..frames {
         let step = world.step(&input);
         for &body in &step.quarantined {
-            fallen[body as usize] = true;
-            let id = scene.blocks[body as usize].id;
+            fallen[body.index()] = true;
+            let id = scene.blocks[body.index()].id;
             bar.suspend(|| fault::warn(&format!("block {id} ran away at {:.2} s and was frozen there", step.time)));
         }
         start.mark_fallen(world, &mut fallen);

@@ -5,7 +5,7 @@
 use std::path::Path;
 
 use glam::{DQuat, DVec3};
-use teeter_physics::{Drive, Grip, Hand, Input, Params, World};
+use teeter_physics::{BodyId, Drive, Grip, Hand, Input, Params, World};
 
 use crate::{Fault, write};
 
@@ -32,9 +32,9 @@ fn lines(inputs: &[Input]) -> String {
 
 /// Two rows are driven out from under the others.
 fn sweep() -> Vec<Input> {
-    let drive = |body| Drive { body, velocity: DVec3::new(2.0, 0.5, 0.0), max_force: Drive::default_force() };
+    let drive = |body| Drive::new(BodyId(body), DVec3::new(2.0, 0.5, 0.0));
     let mut inputs = vec![Input::default(); SETTLING];
-    inputs.resize(SETTLING + 12, Input { drives: (6..12).map(drive).collect(), ..Input::default() });
+    inputs.resize(SETTLING + 12, Input::drives((6..12).map(drive).collect()));
     inputs
 }
 
@@ -47,10 +47,10 @@ fn pull() -> Result<Vec<Input>, Fault> {
 
     let above = |body| world.contacts(body).iter().filter(|c| c.normal.z < -0.5).map(|c| c.force).sum::<f64>();
     let below_top = world.len() as u32 - 3;
-    let body = (9..below_top).find(|&body| above(body) < 1e-3).ok_or("the tower has no loose block to pull")?;
-    let pose = |i: u32| &world.poses()[7 * i as usize..][..7];
-    let (place, q) = (DVec3::from_slice(pose(body)), rounded_turn(DQuat::from_slice(&pose(body)[3..])));
-    let top = (0..world.len() as u32).map(|i| pose(i)[2] + 0.5 * world.size(i).z).fold(0.0, f64::max);
+    let body =
+        (9..below_top).map(BodyId).find(|&body| above(body) < 1e-3).ok_or("the tower has no loose block to pull")?;
+    let (place, q) = (world.pose(body).position, rounded_turn(world.pose(body).orientation));
+    let top = world.bodies().map(|i| world.pose(i).position.z + 0.5 * world.size(i).z).fold(0.0, f64::max);
     let height = world.size(body).z;
     let anchor = rounded(DVec3::new(0.5 * world.size(body).x, 0.0, 0.0));
 
@@ -70,10 +70,7 @@ fn pull() -> Result<Vec<Input>, Fault> {
         let frames = ((to - from).length() / speed / world.params().frame).ceil();
         for i in 1..=frames as u32 {
             let target = rounded(from.lerp(to, f64::from(i) / frames));
-            let (max_force, max_torque) = (Hand::default_force(), Hand::default_torque());
-            let hand =
-                Hand { body, anchor, target, orientation: Some(q), grip, axis: DVec3::ZERO, max_force, max_torque };
-            inputs.push(Input { hand: Some(hand), ..Input::default() });
+            inputs.push(Input::hand(Hand { grip, ..Hand::slide(body, anchor, target, q) }));
         }
         from = to;
     }

@@ -22,7 +22,7 @@ pub struct Servo {
 
 impl Servo {
     pub fn new(drive: &Drive, shapes: &Shapes, bodies: &Bodies) -> Self {
-        let i = drive.body as usize;
+        let i = drive.body.index();
         Self {
             row: i,
             velocity: drive.velocity,

@@ -13,7 +13,6 @@ use crate::report::HandReport;
 pub struct Pull {
     row: usize,
     grip: Grip,
-    axis: DVec3,
     /// From the centre to the grasped point, m.
     arm: DVec3,
     /// From the grasped point to the target, m, and the target's velocity, m/s.
@@ -46,9 +45,9 @@ pub struct Aim {
 impl Aim {
     /// Where a hand that has just taken hold wants its body: where it is.
     pub fn of_grasp(hand: &Hand, bodies: &Bodies) -> Self {
-        let i = hand.body as usize;
+        let i = hand.body.index();
         Self {
-            body: hand.body,
+            body: hand.body.0,
             target: grasped(&hand.anchor, bodies, i),
             orientation: hand.orientation.map(|_| bodies.orientation[i]),
         }
@@ -56,7 +55,7 @@ impl Aim {
 
     /// Where a hand wants its body at the end of its frame.
     pub fn of(hand: &Hand) -> Self {
-        Self { body: hand.body, target: hand.target, orientation: hand.orientation }
+        Self { body: hand.body.0, target: hand.target, orientation: hand.orientation }
     }
 }
 
@@ -77,10 +76,10 @@ impl Pull {
         shapes: &Shapes,
         bodies: &Bodies,
     ) -> Self {
-        let i = hand.body as usize;
+        let i = hand.body.index();
         let point = grasped(&hand.anchor, bodies, i);
         let twist = match (from.orientation, hand.orientation) {
-            (Some(from), Some(to)) if hand.grip != Grip::Push => {
+            (Some(from), Some(to)) if !matches!(hand.grip, Grip::Push { .. }) => {
                 let whole = turn(from, to);
                 Some((turn(bodies.orientation[i], turned(from, whole * done)), whole / frame))
             }
@@ -91,12 +90,11 @@ impl Pull {
         let share = match hand.grip {
             Grip::Slide if twist.is_some() => HAND_LIFT,
             Grip::Carry => 1.0,
-            Grip::Slide | Grip::Push => 0.0,
+            Grip::Slide | Grip::Push { .. } => 0.0,
         };
         Self {
             row: i,
             grip: hand.grip,
-            axis: hand.axis,
             arm: point - bodies.position[i],
             lead: from.target + way * done - point,
             target_velocity: way / frame,
@@ -161,9 +159,9 @@ impl Pull {
                 let spring = if capped { spring * (self.max_force / size) } else { spring };
                 (spring + self.carried, capped)
             }
-            Grip::Push => {
-                let size = spring.dot(self.axis);
-                (self.axis * size.clamp(0.0, self.max_force), size > self.max_force)
+            Grip::Push { axis } => {
+                let size = spring.dot(axis);
+                (axis * size.clamp(0.0, self.max_force), size > self.max_force)
             }
         }
     }

@@ -1,9 +1,22 @@
-//! What acts on a world from outside during one step.
+//! Everything that acts on a world from outside during one step.
 
 use glam::{DQuat, DVec3};
 use serde::{Deserialize, Serialize};
 
-/// What acts on a world from outside during one step.
+use crate::body_id::BodyId;
+
+/// Everything that acts on a world from outside during one step.
+///
+/// ```
+/// use glam::DVec3;
+/// use teeter_physics::{AppliedForce, BodyId, Input, Params, World};
+///
+/// let mut world = World::new(&teeter_scene::named("column").unwrap(), Params::default())?;
+/// let push = AppliedForce { body: BodyId(0), point: DVec3::ZERO, force: DVec3::new(0.01, 0.0, 0.0) };
+/// let report = world.step(&Input::force(push));
+/// assert!(report.quarantined.is_empty());
+/// # Ok::<(), teeter_physics::BuildError>(())
+/// ```
 #[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize)]
 #[serde(default, deny_unknown_fields)]
 pub struct Input {
@@ -13,58 +26,192 @@ pub struct Input {
     pub hand: Option<Hand>,
     /// Constant forces.
     pub forces: Vec<AppliedForce>,
-    /// Bodies moved with a given velocity by a strong arm: for experiments, not for play.
+    /// Bodies moved at a given velocity with a large force: for experiments, not for play.
     pub drives: Vec<Drive>,
 }
 
-/// How a hand holds a block.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
-#[serde(rename_all = "lowercase")]
+impl Input {
+    /// A hand and nothing else.
+    pub fn hand(hand: Hand) -> Self {
+        Self { hand: Some(hand), ..Self::default() }
+    }
+
+    /// One force and nothing else.
+    pub fn force(force: AppliedForce) -> Self {
+        Self::forces(vec![force])
+    }
+
+    /// Forces and nothing else.
+    pub fn forces(forces: Vec<AppliedForce>) -> Self {
+        Self { forces, ..Self::default() }
+    }
+
+    /// Drives and nothing else.
+    pub fn drives(drives: Vec<Drive>) -> Self {
+        Self { drives, ..Self::default() }
+    }
+
+    /// Gravity of this direction and size (m/s²) and nothing else.
+    pub fn gravity(gravity: DVec3) -> Self {
+        Self { gravity: Some(gravity), ..Self::default() }
+    }
+}
+
+/// Grip of a hand on a block.
+#[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Grip {
-    /// Fingers on a block in the tower: they steer it sideways, keep its orientation and take half of its weight off what bears it, where they hold an orientation;
-    /// upwards they give no more than the block's own weight, so they cannot lift the tower.
+    /// Fingers on a block in the tower: they steer it sideways and keep its orientation. Where they
+    /// keep an orientation they carry half of its weight; upwards they give no more than the block's
+    /// own weight, so they cannot lift the tower.
     Slide,
     /// A block in the air: moved in all directions, its weight carried.
     Carry,
-    /// One fingertip: pushes along `axis`, never pulls, and holds no orientation.
-    Push,
+    /// One fingertip: pushes along `axis` (unit vector, world), never pulls, and holds no orientation.
+    Push {
+        /// Direction of the push, unit vector in the world.
+        axis: DVec3,
+    },
 }
 
-/// A hand: a critically damped spring between a point of a body and a target, with limited force and torque.
+/// A hand: a critically damped spring between a point of a body and a target, with limited force
+/// and torque.
+///
+/// Built by [`Hand::slide`], [`Hand::carry`] and [`Hand::push`]. In JSON `grip` is `"slide"`,
+/// `"carry"` or `"push"`, and `axis` is the direction of a push.
+///
+/// ```
+/// use glam::DVec3;
+/// use teeter_physics::{BodyId, Hand, Input, Params, World};
+///
+/// let mut world = World::new(&teeter_scene::named("tower").unwrap(), Params::default())?;
+/// let body = BodyId(52);
+/// let pose = world.pose(body);
+/// // hold the block at the middle of its end and draw it 1 mm along itself
+/// let anchor = DVec3::X * (0.5 * world.size(body).x);
+/// let target = pose.transform_point(anchor + DVec3::X * 1e-3);
+/// let hand = Hand::slide(body, anchor, target, pose.orientation).with_max_force(2.0);
+/// let report = world.step(&Input::hand(hand));
+/// assert!(report.hand.unwrap().force.length() <= 2.0);
+/// # Ok::<(), teeter_physics::BuildError>(())
+/// ```
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
-#[serde(deny_unknown_fields)]
+#[serde(from = "HandRecord", into = "HandRecord")]
 pub struct Hand {
-    /// Index of the body it holds.
-    pub body: u32,
-    /// The point that was grasped, in the body's frame, m.
+    /// The body it holds.
+    pub body: BodyId,
+    /// The grasped point in the body's frame, m.
     pub anchor: DVec3,
-    /// Where that point is wanted at the end of the step, m. The target moves there evenly from where it was at the end of the last step.
+    /// Target of the grasped point at the end of the step, m. Within the step the target moves at a
+    /// constant velocity from that of the last step.
     pub target: DVec3,
-    /// Orientation wanted for the body (x, y, z, w), reached in the same way; none leaves it free.
-    #[serde(default)]
+    /// Target orientation of the body (x, y, z, w), reached in the same manner; none leaves it free.
     pub orientation: Option<DQuat>,
-    /// How it holds.
+    /// Grip.
     pub grip: Grip,
-    /// Direction of a push, unit vector in the world; only [`Grip::Push`] reads it.
-    #[serde(default)]
-    pub axis: DVec3,
-    /// Largest force, N.
-    #[serde(default = "Hand::default_force")]
+    /// Maximum force, N.
     pub max_force: f64,
-    /// Largest torque, N m.
-    #[serde(default = "Hand::default_torque")]
+    /// Maximum torque, N m.
     pub max_torque: f64,
 }
 
 impl Hand {
-    /// Force of a careful hand, N: below it a tower of 10 N can only be tipped near its top.
-    pub fn default_force() -> f64 {
-        4.0
+    /// Maximum force of a careful hand, N: with less a tower of 10 N can only be tipped near its top.
+    pub const DEFAULT_FORCE: f64 = 4.0;
+    /// Maximum torque of a careful hand, N m: twice what holds a block level by its end.
+    pub const DEFAULT_TORQUE: f64 = 0.02;
+
+    /// Draws a block along the tower, keeping its orientation, with the default limits.
+    pub fn slide(body: BodyId, anchor: DVec3, target: DVec3, orientation: DQuat) -> Self {
+        Self::new(body, anchor, target, Some(orientation), Grip::Slide)
     }
 
-    /// Torque of a careful hand, N m: twice what holds a block level by its end.
-    pub fn default_torque() -> f64 {
-        0.02
+    /// Carries a block through the air, with the default limits.
+    pub fn carry(body: BodyId, anchor: DVec3, target: DVec3, orientation: DQuat) -> Self {
+        Self::new(body, anchor, target, Some(orientation), Grip::Carry)
+    }
+
+    /// Pushes a block with a fingertip along `axis` (unit vector, world), with the default limits.
+    pub fn push(body: BodyId, anchor: DVec3, target: DVec3, axis: DVec3) -> Self {
+        Self::new(body, anchor, target, None, Grip::Push { axis })
+    }
+
+    fn new(body: BodyId, anchor: DVec3, target: DVec3, orientation: Option<DQuat>, grip: Grip) -> Self {
+        let (max_force, max_torque) = (Self::DEFAULT_FORCE, Self::DEFAULT_TORQUE);
+        Self { body, anchor, target, orientation, grip, max_force, max_torque }
+    }
+
+    /// Leaves the orientation of the body free.
+    pub fn without_orientation(self) -> Self {
+        Self { orientation: None, ..self }
+    }
+
+    /// Limits the force, N.
+    pub fn with_max_force(self, max_force: f64) -> Self {
+        Self { max_force, ..self }
+    }
+
+    /// Limits the torque, N m.
+    pub fn with_max_torque(self, max_torque: f64) -> Self {
+        Self { max_torque, ..self }
+    }
+}
+
+/// A [`Hand`] as it stands in JSON.
+#[derive(Debug, Clone, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+struct HandRecord {
+    body: BodyId,
+    anchor: DVec3,
+    target: DVec3,
+    #[serde(default)]
+    orientation: Option<DQuat>,
+    grip: GripName,
+    /// Direction of a push; other grips ignore it.
+    #[serde(default)]
+    axis: DVec3,
+    #[serde(default = "default_force")]
+    max_force: f64,
+    #[serde(default = "default_torque")]
+    max_torque: f64,
+}
+
+#[derive(Debug, Clone, Copy, Serialize, Deserialize)]
+#[serde(rename_all = "lowercase")]
+enum GripName {
+    Slide,
+    Carry,
+    Push,
+}
+
+fn default_force() -> f64 {
+    Hand::DEFAULT_FORCE
+}
+
+fn default_torque() -> f64 {
+    Hand::DEFAULT_TORQUE
+}
+
+impl From<HandRecord> for Hand {
+    fn from(record: HandRecord) -> Self {
+        let HandRecord { body, anchor, target, orientation, grip, axis, max_force, max_torque } = record;
+        let grip = match grip {
+            GripName::Slide => Grip::Slide,
+            GripName::Carry => Grip::Carry,
+            GripName::Push => Grip::Push { axis },
+        };
+        Self { body, anchor, target, orientation, grip, max_force, max_torque }
+    }
+}
+
+impl From<Hand> for HandRecord {
+    fn from(hand: Hand) -> Self {
+        let Hand { body, anchor, target, orientation, grip, max_force, max_torque } = hand;
+        let (grip, axis) = match grip {
+            Grip::Slide => (GripName::Slide, DVec3::ZERO),
+            Grip::Carry => (GripName::Carry, DVec3::ZERO),
+            Grip::Push { axis } => (GripName::Push, axis),
+        };
+        Self { body, anchor, target, orientation, grip, axis, max_force, max_torque }
     }
 }
 
@@ -72,31 +219,50 @@ impl Hand {
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct AppliedForce {
-    /// Index of the body.
-    pub body: u32,
+    /// The body it acts on.
+    pub body: BodyId,
     /// Point of attack in the body's frame, m.
     #[serde(default)]
     pub point: DVec3,
-    /// Force in the world at the end of the step, N; it grows evenly from that of the last step.
+    /// Force in the world at the end of the step, N; it ramps linearly from that of the last step.
     pub force: DVec3,
 }
 
-/// A velocity that a strong arm gives a body during one step.
+impl AppliedForce {
+    /// A force (N) at the centre of a body.
+    pub fn at_center(body: BodyId, force: DVec3) -> Self {
+        Self { body, point: DVec3::ZERO, force }
+    }
+}
+
+/// A velocity imposed on a body during one step, with a large but limited force.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Drive {
-    /// Index of the body.
-    pub body: u32,
-    /// Velocity of its centre, m/s; it is kept from turning.
+    /// The body it moves.
+    pub body: BodyId,
+    /// Velocity of its centre, m/s; the drive keeps the body from rotating.
     pub velocity: DVec3,
-    /// Largest force, N.
-    #[serde(default = "Drive::default_force")]
+    /// Maximum force, N.
+    #[serde(default = "default_drive_force")]
     pub max_force: f64,
 }
 
 impl Drive {
-    /// Force of a strong arm, N: a hundred tight blocks.
-    pub fn default_force() -> f64 {
-        100.0
+    /// Maximum force, N: a hundred tight blocks.
+    pub const DEFAULT_FORCE: f64 = 100.0;
+
+    /// Moves `body` at `velocity` (m/s) with the default force.
+    pub fn new(body: BodyId, velocity: DVec3) -> Self {
+        Self { body, velocity, max_force: Self::DEFAULT_FORCE }
     }
+
+    /// Limits the force, N.
+    pub fn with_max_force(self, max_force: f64) -> Self {
+        Self { max_force, ..self }
+    }
+}
+
+fn default_drive_force() -> f64 {
+    Drive::DEFAULT_FORCE
 }

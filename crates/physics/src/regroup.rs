@@ -6,6 +6,7 @@
 
 use teeter_scene::Form;
 
+use crate::body_id::BodyId;
 use crate::broad_phase::{Bound, overlapping};
 use crate::cluster::Cluster;
 use crate::constants::{SWEEP_EXCESS, SWEEP_LEAST, SWEEP_SLACK, SWEEP_SPEED};
@@ -41,12 +42,12 @@ impl Clusters {
 
     /// Brings the clusters up to date for a frame of `frame` (s), in which things from outside may move bodies at the speeds in
     /// `push` (m/s).
-    pub fn regroup(&mut self, params: &Params, form: Form, frame: f64, push: &[(u32, f64)]) {
+    pub fn regroup(&mut self, params: &Params, form: Form, frame: f64, push: &[(BodyId, f64)]) {
         // a cluster that has just been joined may be faster than a part of it was before
         loop {
             let mut pushed = vec![0.0; self.list.len()];
             for &(body, speed) in push {
-                let pushed: &mut f64 = &mut pushed[self.place[body as usize].0 as usize];
+                let pushed: &mut f64 = &mut pushed[self.place[body.index()].0 as usize];
                 *pushed = pushed.max(speed);
             }
             let mut changed: Vec<usize> = Vec::new();

@@ -1,7 +1,9 @@
-//! What a step says of itself.
+//! Report of a step.
 
 use glam::DVec3;
 use serde::Serialize;
+
+use crate::body_id::BodyId;
 
 /// What happened during one step.
 #[derive(Debug, Clone, Default, PartialEq, Serialize)]
@@ -27,7 +29,7 @@ pub struct StepReport {
     /// Root mean square speed over all bodies at the end, m/s.
     pub rms_speed: f64,
     /// Bodies frozen during this step because their state was not finite or ran away; they stay where they are.
-    pub quarantined: Vec<u32>,
+    pub quarantined: Vec<BodyId>,
     /// What the hand did, if there was one.
     pub hand: Option<HandReport>,
 }
@@ -51,7 +53,7 @@ pub struct HandReport {
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 pub struct ContactReport {
     /// The other body; none for the floor.
-    pub other: Option<u32>,
+    pub other: Option<BodyId>,
     /// Centre of the load, m.
     pub point: DVec3,
     /// Direction in which it presses on this body.

@@ -1,4 +1,4 @@
-//! The whole state as bytes, and its hash.
+//! Snapshots of the state, and its hash.
 
 use glam::DVec3;
 use serde::{Deserialize, Serialize};
@@ -13,21 +13,41 @@ use crate::lattice::Particles;
 use crate::regroup::Clusters;
 use crate::world::World;
 
-/// Why bytes are no snapshot of this world.
-#[derive(Debug, Clone, PartialEq, thiserror::Error)]
-#[error("not a snapshot of this world: {0}")]
-pub struct SnapshotError(String);
+/// Error of [`World::restore`].
+#[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
+pub enum SnapshotError {
+    /// The bytes do not begin with the header of a snapshot of this version.
+    #[error("not a snapshot of this world: its header is missing or of another version")]
+    Header,
+    /// The snapshot holds another number of bodies.
+    #[error("not a snapshot of this world: it has {found} bodies instead of {expected}")]
+    BodyCount {
+        /// Bodies in the snapshot.
+        found: usize,
+        /// Bodies in the world.
+        expected: usize,
+    },
+    /// The snapshot holds blocks of the other form.
+    #[error("not a snapshot of this world: its blocks {}", match .found { Form::Rigid => "are rigid", Form::Lattice => "have springs" })]
+    Form {
+        /// Form of the blocks in the snapshot.
+        found: Form,
+    },
+    /// The bytes are damaged.
+    #[error("not a snapshot of this world: it is damaged")]
+    Damaged,
+}
 
-/// First bytes of a snapshot: what it is, and the version of its layout.
+/// Header of a snapshot: name and version of its layout.
 const MAGIC: &[u8] = b"teeter\x00\x03";
 
-/// All that changes: with the constants and the inputs it determines all of the future.
+/// All state that changes: with the constants and the inputs it determines all of the future.
 #[derive(Debug, Serialize, Deserialize)]
 struct State {
     time: f64,
     bodies: Bodies,
     contacts: Contacts,
-    /// The bodies of each cluster, and whether one has outgrown what it was expected to sweep.
+    /// Bodies of each cluster, and true where one has outgrown its swept bounds.
     clusters: Vec<(Vec<u32>, bool)>,
     aim: Option<Aim>,
     forces: Vec<AppliedForce>,
@@ -35,7 +55,7 @@ struct State {
 }
 
 impl State {
-    /// Whether it is one of `n` bodies, with nothing missing or out of range.
+    /// Returns true if it holds `n` bodies, with nothing missing or out of range.
     fn is_of(&self, n: usize) -> bool {
         let mut ids: Vec<u32> = self.clusters.iter().flat_map(|(ids, _)| ids.iter().copied()).collect();
         ids.sort_unstable();
@@ -50,7 +70,7 @@ impl State {
 }
 
 impl World {
-    /// The whole state as bytes. They hold neither the scene nor the constants.
+    /// Returns the whole state as bytes, without the scene and the constants.
     pub fn snapshot(&self) -> Vec<u8> {
         let mut whole = Cluster::new(&self.params, self.scene.form);
         for body in 0..self.len() as u32 {
@@ -71,32 +91,35 @@ impl World {
         };
         let mut bytes = MAGIC.to_vec();
         bytes.extend(postcard::to_stdvec(&state).expect("plain numbers can always be written"));
-        // a world of rigid blocks ends here
+        // rigid blocks have no particles
         if self.scene.form == Form::Lattice {
             bytes.extend(postcard::to_stdvec(&whole.particles).expect("plain numbers can always be written"));
         }
         bytes
     }
 
-    /// Takes back a state of a world of the same scene and constants; it goes on bit for bit as that one did.
+    /// Restores a state of a world of the same scene and constants, which continues bit for bit.
     ///
     /// # Errors
-    /// When the bytes are no snapshot or one of another number of bodies; the world is then unchanged.
+    /// When the bytes are no snapshot, or one of other bodies; the world is then unchanged.
     pub fn restore(&mut self, bytes: &[u8]) -> Result<(), SnapshotError> {
-        let body = bytes.strip_prefix(MAGIC).ok_or_else(|| SnapshotError("it does not begin like one".into()))?;
-        let (state, rest): (State, _) = postcard::take_from_bytes(body).map_err(|e| SnapshotError(e.to_string()))?;
+        let body = bytes.strip_prefix(MAGIC).ok_or(SnapshotError::Header)?;
+        let (state, rest): (State, _) = postcard::take_from_bytes(body).map_err(|_| SnapshotError::Damaged)?;
         let n = self.len();
         if state.bodies.len() != n {
-            return Err(SnapshotError(format!("it has {} bodies instead of {n}", state.bodies.len())));
+            return Err(SnapshotError::BodyCount { found: state.bodies.len(), expected: n });
         }
-        let particles: Vec<Particles> = match self.scene.form {
-            Form::Lattice if rest.is_empty() => return Err(SnapshotError("its blocks are rigid".into())),
-            Form::Lattice => postcard::from_bytes(rest).map_err(|e| SnapshotError(e.to_string()))?,
-            Form::Rigid if rest.is_empty() => Vec::new(),
-            Form::Rigid => return Err(SnapshotError("its blocks have springs".into())),
+        // rigid blocks end with the state, particles follow it
+        let found = if rest.is_empty() { Form::Rigid } else { Form::Lattice };
+        if found != self.scene.form {
+            return Err(SnapshotError::Form { found });
+        }
+        let particles: Vec<Particles> = match found {
+            Form::Rigid => Vec::new(),
+            Form::Lattice => postcard::from_bytes(rest).map_err(|_| SnapshotError::Damaged)?,
         };
-        if !state.is_of(n) || (self.scene.form == Form::Lattice && particles.len() != n) {
-            return Err(SnapshotError("it is damaged".into()));
+        if !state.is_of(n) || (found == Form::Lattice && particles.len() != n) {
+            return Err(SnapshotError::Damaged);
         }
         let mut whole = Cluster::new(&self.params, self.scene.form);
         for body in 0..n as u32 {
@@ -120,7 +143,8 @@ impl World {
         Ok(())
     }
 
-    /// Hash of the whole state (XXH3, 64 bits): equal states have equal hashes on every target.
+    /// Returns the hash of the whole state (XXH3, 64 bits): equal states have equal hashes on every
+    /// target.
     pub fn hash(&self) -> u64 {
         xxhash_rust::xxh3::xxh3_64(&self.snapshot())
     }

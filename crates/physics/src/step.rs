@@ -10,24 +10,39 @@ use crate::report::StepReport;
 use crate::world::World;
 
 impl World {
-    /// Advances the world by one frame and says what happened. Never fails: input that is not finite or names no body is passed
-    /// over, and a body whose state runs away is quarantined and named in the report.
+    /// Advances the world by one frame and reports on it. Never fails: input that is not finite or names
+    /// no body is ignored, and a body whose state runs away is quarantined and listed in the report.
     ///
-    /// With the feature `parallel`, bodies that are too far from each other to meet in a frame are stepped side by side in rayon's
-    /// current thread pool; the bits are the same for any number of threads.
+    /// With the feature `parallel`, bodies that cannot meet within a frame are stepped in parallel in
+    /// rayon's current thread pool; the bits are the same for any number of threads.
     pub fn step(&mut self, input: &Input) -> StepReport {
         let _mode = FloatMode::standard();
-        let input = self.admissible(input);
-        self.rouse(&input);
+        let input = self.sanitise(input);
+        self.wake_targets(&input);
         self.regroup(&input);
         let outcomes = self.step_clusters(&input);
-        self.remember(&input);
-        self.summarise(&input, outcomes)
+        self.store_input(&input);
+        self.report(&input, outcomes)
+    }
+
+    /// Advances by `seconds`, rounded to whole frames and at least one, without input; returns the last
+    /// report.
+    pub fn run_for(&mut self, seconds: f64) -> StepReport {
+        self.run_with(seconds, &Input::default())
+    }
+
+    /// Advances by `seconds`, rounded to whole frames and at least one, with the same input in each;
+    /// returns the last report.
+    pub fn run_with(&mut self, seconds: f64, input: &Input) -> StepReport {
+        for _ in 1..self.frames(seconds) {
+            self.step(input);
+        }
+        self.step(input)
     }
 
     /// Makes the clusters such that none can touch another in the next frame.
     fn regroup(&mut self, input: &Input) {
-        let push = push(input, self.aim.as_ref(), self.setup.frame, |i| self.mass(i));
+        let push = push(input, self.aim.as_ref(), self.setup.frame, |body| self.mass(body));
         self.clusters.regroup(&self.params, self.scene.form, self.setup.frame, &push);
     }
 

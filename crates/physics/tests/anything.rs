@@ -5,7 +5,7 @@ mod common;
 
 use glam::DVec3;
 use proptest::prelude::*;
-use teeter_physics::{AppliedForce, Drive, Grip, Hand, Input, Params, Precision, Width, World};
+use teeter_physics::{AppliedForce, BodyId, Drive, Grip, Hand, Input, Params, Precision, Width, World};
 use teeter_scene::{Block, Form, Particles, Scene, Springs, TowerOptions, field};
 
 /// Rigid blocks, or blocks of springs from jelly to wood.
@@ -52,7 +52,7 @@ enum Act {
 }
 
 fn any_act() -> impl Strategy<Value = Act> {
-    let grip = prop_oneof![Just(Grip::Slide), Just(Grip::Carry), Just(Grip::Push)];
+    let grip = prop_oneof![Just(Grip::Slide), Just(Grip::Carry), Just(Grip::Push { axis: DVec3::X })];
     prop_oneof![
         Just(Act::Nothing),
         (any::<u32>(), any_vector(4.0)).prop_map(|(i, v)| Act::Drive(i, v)),
@@ -62,30 +62,15 @@ fn any_act() -> impl Strategy<Value = Act> {
 }
 
 fn input(act: &Act, world: &World) -> Input {
-    let body = |i: u32| i % world.len() as u32;
+    let body = |i: u32| BodyId(i % world.len() as u32);
     match *act {
         Act::Nothing => Input::default(),
-        Act::Drive(i, velocity) => Input {
-            drives: vec![Drive { body: body(i), velocity, max_force: Drive::default_force() }],
-            ..Input::default()
-        },
-        Act::Force(i, point, force) => {
-            Input { forces: vec![AppliedForce { body: body(i), point, force }], ..Input::default() }
-        }
+        Act::Drive(i, velocity) => Input::drives(vec![Drive::new(body(i), velocity)]),
+        Act::Force(i, point, force) => Input::force(AppliedForce { body: body(i), point, force }),
         Act::Hand(i, ahead, grip) => {
-            let target = common::position(world, body(i) as usize) + ahead;
-            let (max_force, max_torque) = (Hand::default_force(), Hand::default_torque());
-            let hand = Hand {
-                body: body(i),
-                anchor: DVec3::ZERO,
-                target,
-                orientation: None,
-                grip,
-                axis: DVec3::X,
-                max_force,
-                max_torque,
-            };
-            Input { hand: Some(hand), ..Input::default() }
+            let pose = world.pose(body(i));
+            let hand = Hand::carry(body(i), DVec3::ZERO, pose.position + ahead, pose.orientation);
+            Input::hand(Hand { grip, ..hand.without_orientation() })
         }
     }
 }

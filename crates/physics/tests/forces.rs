@@ -4,7 +4,7 @@ mod common;
 
 use common::*;
 use glam::DVec3;
-use teeter_physics::{AppliedForce, Input, Params, Precision, World};
+use teeter_physics::{AppliedForce, BodyId, Input, Params, Precision, World};
 use teeter_scene::{TowerOptions, tower};
 
 /// The force along the block's long axis at which it has moved by 0.5 mm, grown by 0.25 N/s, N.
@@ -15,7 +15,7 @@ fn starts_at(world: &mut World, body: usize) -> f64 {
     while (position(world, body) - start).dot(axis) < 5e-4 {
         force += 0.25 * world.params().frame;
         assert!(force < 8.0, "block {body} does not start");
-        let forces = vec![AppliedForce { body: body as u32, point: DVec3::ZERO, force: axis * force }];
+        let forces = vec![AppliedForce::at_center(BodyId(body as u32), axis * force)];
         world.step(&Input { forces, ..Input::default() });
     }
     force

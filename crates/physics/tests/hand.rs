@@ -4,7 +4,7 @@ mod common;
 
 use common::*;
 use glam::DVec3;
-use teeter_physics::{Drive, Grip, Hand, Input, World};
+use teeter_physics::{BodyId, Drive, Grip, Hand, Input, Pose, World};
 use teeter_scene::{Scene, TowerOptions, tower};
 
 /// A settled 18-row tower.
@@ -22,7 +22,7 @@ fn settled_at(seed: u64, stiffness: f64) -> World {
 
 /// Load on a body from above, N.
 fn load(world: &World, body: u32) -> f64 {
-    world.contacts(body).iter().filter(|c| c.normal.z < -0.5).map(|c| c.force).sum()
+    world.contacts(BodyId(body)).iter().filter(|c| c.normal.z < -0.5).map(|c| c.force).sum()
 }
 
 /// Blocks of the tower below the top row on which nothing rests.
@@ -37,18 +37,10 @@ fn along(world: &World, body: u32) -> DVec3 {
 
 /// A careful hand at the end of a block that pulls it out along its axis.
 fn pull(world: &World, body: u32, distance: f64) -> Hand {
+    let body = BodyId(body);
     let anchor = DVec3::new(0.5 * world.size(body).x, 0.0, 0.0);
-    let q = orientation(world, body as usize);
-    Hand {
-        body,
-        anchor,
-        target: position(world, body as usize) + q * anchor + q * DVec3::X * distance,
-        orientation: Some(q),
-        grip: Grip::Slide,
-        axis: DVec3::ZERO,
-        max_force: Hand::default_force(),
-        max_torque: Hand::default_torque(),
-    }
+    let Pose { position, orientation: q } = world.pose(body);
+    Hand::slide(body, anchor, position + q * anchor + q * DVec3::X * distance, q)
 }
 
 #[test]
@@ -59,19 +51,19 @@ fn a_loose_block_comes_out_at_5_cm_a_second_and_nothing_else_moves() {
     let start = world.snapshot();
     for &body in &all {
         world.restore(&start).unwrap();
-        let before = world.poses().to_vec();
+        let before = poses(&world);
         let (from, axis) = (position(&world, body as usize), along(&world, body));
         let hand = pull(&world, body, 0.0);
         for i in 1..=120 {
             let target = hand.target + axis * (0.05 * f64::from(i) / 60.0);
-            let report = world.step(&Input { hand: Some(Hand { target, ..hand.clone() }), ..Input::default() });
+            let report = world.step(&Input::hand(Hand { target, ..hand.clone() }));
             let force = report.hand.unwrap().force.length();
             assert!(force < 0.5, "it takes {force} N to pull loose block {body}");
         }
         let out = (position(&world, body as usize) - from).dot(axis);
         assert!(out > 0.099, "block {body} came {out} m");
         for other in (0..world.len()).filter(|&i| i != body as usize) {
-            let moved = (position(&world, other) - DVec3::from_slice(&before[7 * other..])).length();
+            let moved = (position(&world, other) - before[other].position).length();
             assert!(moved < 1e-4, "block {other} moved {} mm when {body} was pulled", moved * 1e3);
         }
     }
@@ -83,13 +75,13 @@ fn a_loose_block_comes_out_at_5_cm_a_second_and_nothing_else_moves() {
 fn a_block_drawn_half_out_does_not_tip_and_take_the_loose_block_above_along() {
     for (seed, body) in [(20, 29), (9, 37), (17, 17)] {
         let mut world = settled_at(seed, 3e6);
-        let before = world.poses().to_vec();
+        let before = poses(&world);
         let (axis, hand) = (along(&world, body), pull(&world, body, 0.0));
         let mut furthest = 0.0_f64;
         for i in 1..=104 {
             let target = hand.target + axis * (0.05 * f64::from(i) / 60.0);
-            world.step(&Input { hand: Some(Hand { target, ..hand.clone() }), ..Input::default() });
-            let moved = |other: usize| (position(&world, other) - DVec3::from_slice(&before[7 * other..])).length();
+            world.step(&Input::hand(Hand { target, ..hand.clone() }));
+            let moved = |other: usize| (position(&world, other) - before[other].position).length();
             furthest = (0..world.len()).filter(|&i| i != body as usize).map(moved).fold(furthest, f64::max);
         }
         assert!(furthest < 1e-4, "seed {seed}: another block moved {} mm when {body} was pulled", furthest * 1e3);
@@ -106,11 +98,7 @@ fn a_hand_that_draws_a_block_takes_half_of_its_weight() {
         let mut felt = DVec3::ZERO;
         for i in 1..=30 {
             let target = hand.target + DVec3::X * (0.02 * f64::from(i) / 60.0);
-            felt = world
-                .step(&Input { hand: Some(Hand { target, ..hand.clone() }), ..Input::default() })
-                .hand
-                .unwrap()
-                .force;
+            felt = world.step(&Input::hand(Hand { target, ..hand.clone() })).hand.unwrap().force;
         }
         let weight = MASS * G;
         assert!((felt.z / weight - 0.5).abs() < 0.05, "it lifts by {} of the weight", felt.z / weight);
@@ -124,7 +112,7 @@ fn a_block_held_by_its_end_hangs_level() {
         let mut world = World::new(&one(), params).unwrap();
         let mut hand = Hand { grip: Grip::Carry, ..pull(&world, 0, 0.0) };
         hand.target.z += 0.1;
-        run(&mut world, 1.0, &Input { hand: Some(hand.clone()), ..Input::default() });
+        run(&mut world, 1.0, &Input::hand(hand.clone()));
         let tilt = (orientation(&world, 0) * DVec3::X).z;
         assert!(tilt.abs() < 1e-6, "it hangs by {tilt} rad");
         let end = position(&world, 0) + orientation(&world, 0) * hand.anchor;
@@ -140,11 +128,11 @@ fn a_block_held_by_its_end_hangs_level() {
 fn a_tight_block_stays_and_the_tower_with_it() {
     let mut world = settled(1);
     let body = (0..27).max_by(|&a, &b| load(&world, a).total_cmp(&load(&world, b))).unwrap();
-    let before = world.poses().to_vec();
+    let before = poses(&world);
     // it slips at mu (N above + N below), if what rests on it does not come along before
-    assert!(0.4 * 2.0 * load(&world, body) > Hand::default_force());
+    assert!(0.4 * 2.0 * load(&world, body) > Hand::DEFAULT_FORCE);
     let hand = Hand { max_force: 1.0, ..pull(&world, body, 0.05) };
-    let report = run(&mut world, 2.0, &Input { hand: Some(hand), ..Input::default() });
+    let report = run(&mut world, 2.0, &Input::hand(hand));
     let felt = report.hand.unwrap();
     // what it lifts is part of it
     assert!(felt.capped && (felt.force.length() - 1.0).abs() < 1e-9, "{felt:?}");
@@ -154,11 +142,11 @@ fn a_tight_block_stays_and_the_tower_with_it() {
 #[test]
 fn a_hand_that_holds_the_height_does_not_lift_the_tower() {
     let mut world = settled(1);
-    let before = world.poses().to_vec();
+    let before = poses(&world);
     let mut hand = pull(&world, 4, 0.0);
     hand.target.z += 0.05;
-    let report = run(&mut world, 1.0, &Input { hand: Some(hand), ..Input::default() });
-    assert!(report.hand.unwrap().force.length() < 1.01 * world.mass(4) * G);
+    let report = run(&mut world, 1.0, &Input::hand(hand));
+    assert!(report.hand.unwrap().force.length() < 1.01 * world.mass(BodyId(4)) * G);
     assert!(displacement(&before, &world) < 1e-4);
 }
 
@@ -174,7 +162,7 @@ fn a_carried_block_follows_the_hand_and_is_put_on_top() {
         let frames = ((to - from).length() / speed * 60.0).ceil().max(1.0);
         for i in 1..=frames as u32 {
             hand.target = from.lerp(to, f64::from(i) / frames);
-            world.step(&Input { hand: Some(hand.clone()), ..Input::default() });
+            world.step(&Input::hand(hand.clone()));
         }
     };
     let out = hand.target + axis * 0.12;
@@ -187,11 +175,11 @@ fn a_carried_block_follows_the_hand_and_is_put_on_top() {
     go(&mut world, &mut hand, risen, 0.2);
     go(&mut world, &mut hand, above, 0.2);
     go(&mut world, &mut hand, above - DVec3::new(0.0, 0.0, 0.0105), 0.03);
-    let before = world.poses().to_vec();
+    let before = poses(&world);
     run(&mut world, 2.0, &Input::default());
     assert!((position(&world, body as usize).z - top - 0.018).abs() < 1e-3, "it does not lie on top");
     for other in (0..world.len()).filter(|&i| i != body as usize) {
-        let moved = (position(&world, other) - DVec3::from_slice(&before[7 * other..])).length();
+        let moved = (position(&world, other) - before[other].position).length();
         assert!(moved < 2e-4, "letting go moved block {other} by {} mm", moved * 1e3);
     }
 }
@@ -202,19 +190,8 @@ fn a_fingertip_pushes_and_never_pulls() {
     run(&mut world, 0.5, &Input::default());
     let finger = |world: &World, ahead: f64| {
         let anchor = DVec3::new(-0.0405, 0.0, 0.0);
-        Input {
-            hand: Some(Hand {
-                body: 0,
-                anchor,
-                target: position(world, 0) + anchor + DVec3::X * ahead,
-                orientation: None,
-                grip: Grip::Push,
-                axis: DVec3::X,
-                max_force: 4.0,
-                max_torque: 0.0,
-            }),
-            ..Input::default()
-        }
+        let target = position(world, 0) + anchor + DVec3::X * ahead;
+        Input::hand(Hand::push(BodyId(0), anchor, target, DVec3::X).with_max_force(4.0).with_max_torque(0.0))
     };
     for _ in 0..30 {
         let input = finger(&world, -0.005);
@@ -239,7 +216,7 @@ fn a_middle_block_yanked_at_5_m_s_overlaps_nothing_by_a_millimetre() {
         for direction in [DVec3::X, -DVec3::X, DVec3::Y, -DVec3::Y, DVec3::Z, -DVec3::Z] {
             world.restore(&start).unwrap();
             for i in 0..120 {
-                let drive = Drive { body: 25, velocity: direction * 5.0, max_force: Drive::default_force() };
+                let drive = Drive { body: BodyId(25), velocity: direction * 5.0, max_force: Drive::DEFAULT_FORCE };
                 let drives = if i < 6 { vec![drive] } else { Vec::new() };
                 let report = world.step(&Input { drives, ..Input::default() });
                 let comes_down = direction == DVec3::Z && i > 60;
@@ -262,7 +239,7 @@ fn input_that_makes_no_sense_is_passed_over() {
     let mut world = World::new(&one(), awake()).unwrap();
     let mut same = world.clone();
     let hand = Hand { target: DVec3::NAN, ..pull(&world, 0, 0.0) };
-    let drive = Drive { body: 7, velocity: DVec3::X, max_force: 1.0 };
+    let drive = Drive { body: BodyId(7), velocity: DVec3::X, max_force: 1.0 };
     let nonsense = Input { gravity: Some(DVec3::INFINITY), hand: Some(hand), drives: vec![drive], ..Input::default() };
     for _ in 0..30 {
         let report = world.step(&nonsense);

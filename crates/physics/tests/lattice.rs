@@ -4,7 +4,7 @@ mod common;
 
 use common::*;
 use glam::{DMat3, DVec3};
-use teeter_physics::{AppliedForce, Drive, Grip, Hand, Input, Params, Precision, Width, World};
+use teeter_physics::{AppliedForce, BodyId, Drive, Hand, Input, Params, Precision, Twist, Width, World};
 use teeter_scene::{Form, NAMED, Particles, Scene, Springs, TowerOptions, Verdict, tower};
 
 /// A scene with blocks of springs, as stiff as the contacts.
@@ -34,7 +34,7 @@ fn turning_ease(scene: &Scene) -> DVec3 {
         let (mut arm, mut force) = (DVec3::ZERO, DVec3::ZERO);
         arm[along] = 0.01;
         force[across] = 1e-5;
-        let pair = [1.0, -1.0].map(|side| AppliedForce { body: 0, point: arm * side, force: force * side });
+        let pair = [1.0, -1.0].map(|side| AppliedForce { body: BodyId(0), point: arm * side, force: force * side });
         let input = Input { forces: pair.to_vec(), ..Input::default() };
         // the force grows over the first frame; then the spin grows evenly
         run(&mut world, 1.0 / 60.0, &input);
@@ -68,7 +68,7 @@ fn a_tumbling_block_keeps_energy_and_angular_momentum() {
     for precision in [Precision::Single, Precision::Double] {
         let scene = in_space(springy(blocks(&[[0.0, 0.0, 5.0]])));
         let mut world = World::new(&scene, Params { precision, ..awake() }).unwrap();
-        world.set_velocity(0, DVec3::new(0.3, 0.2, 0.1), DVec3::new(12.0, 14.0, 8.0));
+        world.set_twist(BodyId(0), Twist { velocity: DVec3::new(0.3, 0.2, 0.1), spin: DVec3::new(12.0, 14.0, 8.0) });
         // the springs take up the spin, which costs some of it
         run(&mut world, 0.1, &Input::default());
         let (energy, momentum) = energy_and_momentum(&world);
@@ -93,7 +93,7 @@ fn a_block_falls_as_galileo_says_and_does_not_turn() {
 fn a_collision_keeps_momentum_and_angular_momentum() {
     let scene = in_space(springy(blocks(&[[0.0, 0.0, 1.0], [0.03, 0.012, 1.03]])));
     let mut world = World::new(&scene, Params { ramp: 0.0, ..awake() }).unwrap();
-    world.set_velocity(1, DVec3::new(-0.2, 0.0, -0.5), DVec3::new(1.0, -2.0, 3.0));
+    world.set_twist(BodyId(1), Twist { velocity: DVec3::new(-0.2, 0.0, -0.5), spin: DVec3::new(1.0, -2.0, 3.0) });
     let sums = |world: &World| {
         (0..2).fold((DVec3::ZERO, DVec3::ZERO), |(p, l), i| {
             let (v, w) = motion(world, i);
@@ -114,7 +114,7 @@ fn a_collision_keeps_momentum_and_angular_momentum() {
 fn blocks_slide_and_stay_as_rigid_ones_do() {
     let mut world = World::new(&springy(one()), awake()).unwrap();
     run(&mut world, 1.0, &tilted(0.399));
-    let before = world.poses().to_vec();
+    let before = poses(&world);
     run(&mut world, 5.0, &tilted(0.399));
     let moved = displacement(&before, &world);
     assert!(moved < 1e-9, "{moved:e} m in 5 s");
@@ -128,7 +128,7 @@ fn blocks_slide_and_stay_as_rigid_ones_do() {
 fn the_full_tower_of_springs_stands_without_sleep() {
     let mut world = World::new(&springy(tower(&TowerOptions::default()).unwrap()), awake()).unwrap();
     run(&mut world, 2.0, &Input::default());
-    let before = world.poses().to_vec();
+    let before = poses(&world);
     let report = run(&mut world, 8.0, &Input::default());
     let creep = displacement(&before, &world);
     assert!(creep < 1e-7, "creep {creep:e} m");
@@ -154,7 +154,7 @@ fn the_configurations_stand_or_fall_as_rigid_ones_do() {
     for named in NAMED.iter().filter(|n| n.name.starts_with("test-") || n.name == "loose") {
         let Some(expected) = named.expect else { continue };
         let mut world = World::new(&springy(named.scene()), awake()).unwrap();
-        let before = world.poses().to_vec();
+        let before = poses(&world);
         run(&mut world, 4.0, &Input::default());
         assert_eq!(displacement(&before, &world) > 5e-3, expected == Verdict::Unstable, "{}", named.name);
         judged += 1;
@@ -175,8 +175,8 @@ fn the_whole_range_of_stiffness_is_stable() {
         assert!(sink < last, "{stiffness:e} N/m: {sink} m, after {last} m");
         last = sink;
         // a block is knocked out of the middle
-        let push = Drive { body: 7, velocity: DVec3::new(3.0, 1.0, 0.0), max_force: 50.0 };
-        run(&mut world, 0.1, &Input { drives: vec![push], ..Input::default() });
+        let push = Drive { body: BodyId(7), velocity: DVec3::new(3.0, 1.0, 0.0), max_force: 50.0 };
+        run(&mut world, 0.1, &Input::drives(vec![push]));
         for _ in 0..6 {
             let report = run(&mut world, 0.1, &Input::default());
             assert!(report.max_speed < 10.0, "{stiffness:e} N/m: {report:?}");
@@ -235,7 +235,7 @@ fn stiff_springs_fall_as_rigid_blocks_do() {
 fn a_hand_pulls_a_loose_block_out() {
     let mut world = World::new(&springy(teeter_scene::named("loose").unwrap()), awake()).unwrap();
     run(&mut world, 2.0, &Input::default());
-    let before = world.poses().to_vec();
+    let before = poses(&world);
     // the loose block of the top row but one, which is pulled along its axis
     let body = 12;
     let axis = orientation(&world, body) * DVec3::X;
@@ -243,22 +243,13 @@ fn a_hand_pulls_a_loose_block_out() {
     let start = position(&world, body) + orientation(&world, body) * anchor;
     for frame in 0..150 {
         let target = start + axis * (0.05 / 60.0 * f64::from(frame + 1)).min(0.12);
-        let hand = Hand {
-            body: body as u32,
-            anchor,
-            target,
-            orientation: Some(orientation(&world, body)),
-            grip: Grip::Slide,
-            axis: DVec3::ZERO,
-            max_force: Hand::default_force(),
-            max_torque: Hand::default_torque(),
-        };
-        let report = world.step(&Input { hand: Some(hand), ..Input::default() });
+        let hand = Hand::slide(BodyId(body as u32), anchor, target, orientation(&world, body));
+        let report = world.step(&Input::hand(hand));
         assert!(report.quarantined.is_empty());
     }
-    assert!((position(&world, body) - DVec3::from_slice(&before[7 * body..])).dot(axis) > 0.09);
+    assert!((position(&world, body) - before[body].position).dot(axis) > 0.09);
     for i in (0..world.len()).filter(|&i| i != body) {
-        let moved = (position(&world, i) - DVec3::from_slice(&before[7 * i..])).length();
+        let moved = (position(&world, i) - before[i].position).length();
         assert!(moved < 1e-4, "block {i} moved by {moved} m");
     }
 }
@@ -268,7 +259,7 @@ fn a_running_tower_changes_its_form_without_a_jump() {
     let mut world = World::new(&tower(&TowerOptions::default()).unwrap(), awake()).unwrap();
     run(&mut world, 2.0, &Input::default());
     for form in [Form::Lattice, Form::Rigid, Form::Lattice] {
-        let before = world.poses().to_vec();
+        let before = poses(&world);
         world.set_form(form, Springs::default()).unwrap();
         assert_eq!(world.form(), form);
         run(&mut world, 1.0, &Input::default());
@@ -287,7 +278,7 @@ fn a_snapshot_holds_the_springs() {
     let state = world.snapshot();
     let mut other = World::new(&springy(column(3)), awake()).unwrap();
     other.restore(&state).unwrap();
-    assert_eq!(other.lattice(1), world.lattice(1));
+    assert_eq!(other.lattice(BodyId(1)), world.lattice(BodyId(1)));
     run(&mut world, 0.3, &Input::default());
     run(&mut other, 0.3, &Input::default());
     assert_eq!(world.hash(), other.hash());
@@ -308,8 +299,8 @@ fn all_widths_give_the_same_bits() {
             let scene = springy(tower(&TowerOptions { rows: 5, ..TowerOptions::default() }).unwrap());
             let mut world = World::new(&scene, Params { precision, width, ..awake() }).unwrap();
             run(&mut world, 0.4, &Input::default());
-            let push = Drive { body: 7, velocity: DVec3::new(1.0, 0.5, 0.0), max_force: 50.0 };
-            run(&mut world, 0.2, &Input { drives: vec![push], ..Input::default() });
+            let push = Drive { body: BodyId(7), velocity: DVec3::new(1.0, 0.5, 0.0), max_force: 50.0 };
+            run(&mut world, 0.2, &Input::drives(vec![push]));
             world.hash()
         });
         assert!(hashes.iter().all(|&hash| hash == hashes[0]), "{precision:?}: {hashes:x?}");
@@ -321,7 +312,7 @@ fn all_widths_give_the_same_bits() {
 fn the_springs_carry_what_stands_above() {
     let mut world = World::new(&springy(column(4)), awake()).unwrap();
     run(&mut world, 2.0, &Input::default());
-    let report = world.lattice(0).unwrap();
+    let report = world.lattice(BodyId(0)).unwrap();
     let mut n = 0;
     let (mut up, mut worst): (f64, f64) = (0.0, 0.0);
     for i in 0..8usize {
@@ -355,8 +346,7 @@ fn a_column_is_pulled_apart_at_coulombs_force() {
         let start = position(&world, 3);
         for step in 0..180 {
             let force = DVec3::X * (share * pull * f64::from(step + 1).min(120.0) / 120.0);
-            world
-                .step(&Input { forces: vec![AppliedForce { body: 3, point: DVec3::ZERO, force }], ..Input::default() });
+            world.step(&Input::force(AppliedForce { body: BodyId(3), point: DVec3::ZERO, force }));
         }
         (position(&world, 3) - start).x
     };

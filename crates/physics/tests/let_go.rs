@@ -4,26 +4,14 @@ mod common;
 
 use common::*;
 use glam::DVec3;
-use teeter_physics::{Grip, Hand, Input, World};
+use teeter_physics::{BodyId, Hand, Input, World};
 
 #[test]
 fn a_block_let_go_close_above_another_lands_on_it() {
     for params in both() {
         for gap in [1e-5, 5e-5, 2e-4, 1e-3] {
             let mut world = World::new(&blocks(&[[0.0, 0.0, 0.009], [0.0, 0.0, 0.057]]), params).unwrap();
-            let hand = |target: DVec3| Input {
-                hand: Some(Hand {
-                    body: 1,
-                    anchor: DVec3::ZERO,
-                    target,
-                    orientation: Some(glam::DQuat::IDENTITY),
-                    grip: Grip::Carry,
-                    axis: DVec3::ZERO,
-                    max_force: Hand::default_force(),
-                    max_torque: Hand::default_torque(),
-                }),
-                ..Input::default()
-            };
+            let hand = |target: DVec3| Input::hand(Hand::carry(BodyId(1), DVec3::ZERO, target, glam::DQuat::IDENTITY));
             let (from, to) = (position(&world, 1), DVec3::new(0.0, 0.0, 0.027 + gap));
             run(&mut world, 1.0, &hand(from));
             for i in 1..=30 {

@@ -1,8 +1,8 @@
 //! Taking a block out of a tower by the hand.
 
-use glam::{DQuat, DVec3};
+use glam::DVec3;
 use serde::Serialize;
-use teeter_physics::{Grip, Hand, Input, World};
+use teeter_physics::{BodyId, Grip, Hand, Input, Pose, World};
 
 use crate::places::Places;
 use crate::settle::frames;
@@ -29,10 +29,9 @@ pub struct Extraction {
 
 /// Takes `body` out of a settled world along `axis` (unit vector) at `speed` (m/s), as a hand does it: it holds the end of the block and draws it along its own
 /// length, which leans with the tower, keeps it as it lies, and has the force of a careful hand. Drawn level instead, a block is lifted against what lies above it.
-pub fn extract(settled: &World, body: u32, axis: DVec3, speed: f64) -> Extraction {
+pub fn extract(settled: &World, body: BodyId, axis: DVec3, speed: f64) -> Extraction {
     let mut world = settled.clone();
-    let pose = &settled.poses()[7 * body as usize..];
-    let (center, turn) = (DVec3::from_slice(pose), DQuat::from_slice(&pose[3..]));
+    let Pose { position: center, orientation: turn } = settled.pose(body);
     let size = settled.size(body);
     // the face whose normal is nearest to the axis
     let end = turn.inverse() * axis;
@@ -49,27 +48,18 @@ pub fn extract(settled: &World, body: u32, axis: DVec3, speed: f64) -> Extractio
         seen.others_mm = f64::max(seen.others_mm, 1e3 * places.furthest_but(world, body));
         seen.fell |= places.any_fallen_but(world, body);
     };
-    let hand = |way: f64| Hand {
-        body,
-        anchor,
-        target: from + axis * way,
-        orientation: Some(turn),
-        grip: Grip::Slide,
-        axis: DVec3::ZERO,
-        max_force: Hand::default_force(),
-        max_torque: Hand::default_torque(),
-    };
+    let hand = |way: f64| Hand::slide(body, anchor, from + axis * way, turn);
     let (pulled, mut force) = (frames(&world, length / speed).max(1), 0.0);
     for i in 1..=pulled {
         let way = length * i as f64 / pulled as f64;
-        let report = world.step(&Input { hand: Some(hand(way)), ..Input::default() });
+        let report = world.step(&Input::hand(hand(way)));
         force = report.hand.map_or(force, |h| h.force.length().max(force));
         look(&world);
     }
-    let went = axis.dot(DVec3::from_slice(&world.poses()[7 * body as usize..]) - center);
+    let went = axis.dot(world.pose(body).position - center);
     for _ in 0..frames(&world, WATCHED) {
         // still in the hand, or it would fall on the table and might hit the tower
-        world.step(&Input { hand: Some(Hand { grip: Grip::Carry, ..hand(length) }), ..Input::default() });
+        world.step(&Input::hand(Hand { grip: Grip::Carry, ..hand(length) }));
         look(&world);
     }
     Extraction { out: went > length - LAG, force_n: force, ..seen }

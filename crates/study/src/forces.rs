@@ -2,7 +2,7 @@
 
 use glam::DVec3;
 use serde::Serialize;
-use teeter_physics::{BuildError, Params, World};
+use teeter_physics::{BodyId, BuildError, Params, World};
 use teeter_scene::Scene;
 
 use crate::each::each;
@@ -64,7 +64,7 @@ pub fn forces_from(scene: &Scene, world: &World, done: impl Fn() + Sync) -> Vec<
     let blocks: Vec<usize> = (0..scene.blocks.len()).collect();
     each(&blocks, |&i| {
         let axis = long_axis(&scene.blocks[i]).extend(0.0);
-        let pull = |axis: DVec3| starting_force(world, i as u32, axis);
+        let pull = |axis: DVec3| starting_force(world, BodyId(i as u32), axis);
         let of = BlockForces {
             id: scene.blocks[i].id,
             forward_n: pull(axis),

@@ -1,6 +1,6 @@
 //! How far the blocks of a world have gone, and how high it stands.
 
-use teeter_physics::World;
+use teeter_physics::{BodyId, World};
 
 /// A block has fallen when its centre has moved further than this, m,
 pub const FELL_MOVED: f64 = 5e-3;
@@ -14,12 +14,13 @@ pub struct Places(Vec<[f64; 3]>);
 impl Places {
     /// Where the blocks are now.
     pub fn of(world: &World) -> Self {
-        Self(world.poses().chunks_exact(7).map(|p| [p[0], p[1], p[2]]).collect())
+        Self(world.bodies().map(|body| world.pose(body).position.to_array()).collect())
     }
 
     /// How far each block is now from where it was, and how much lower, m.
     fn moves<'a>(&'a self, world: &'a World) -> impl Iterator<Item = (f64, f64)> + 'a {
-        self.0.iter().zip(world.poses().chunks_exact(7)).map(|(was, now)| {
+        self.0.iter().zip(world.bodies()).map(|(was, body)| {
+            let now = world.pose(body).position;
             let d = [now[0] - was[0], now[1] - was[1], now[2] - was[2]];
             ((d[0] * d[0] + d[1] * d[1] + d[2] * d[2]).sqrt(), -d[2])
         })
@@ -32,14 +33,14 @@ impl Places {
     }
 
     /// The same without one block.
-    pub fn furthest_but(&self, world: &World, body: u32) -> f64 {
-        let others = self.moves(world).enumerate().filter(|(i, _)| *i != body as usize);
+    pub fn furthest_but(&self, world: &World, body: BodyId) -> f64 {
+        let others = self.moves(world).enumerate().filter(|(i, _)| *i != body.index());
         others.fold(0.0, |most, (_, (moved, _))| if moved <= most { most } else { moved })
     }
 
     /// Whether any block but one has fallen.
-    pub fn any_fallen_but(&self, world: &World, body: u32) -> bool {
-        self.moves(world).enumerate().any(|(i, (moved, dropped))| i != body as usize && has_fallen(moved, dropped))
+    pub fn any_fallen_but(&self, world: &World, body: BodyId) -> bool {
+        self.moves(world).enumerate().any(|(i, (moved, dropped))| i != body.index() && has_fallen(moved, dropped))
     }
 
     /// Whether any block has come down by more than [`FELL_DROPPED`].
@@ -67,12 +68,13 @@ fn has_fallen(moved: f64, dropped: f64) -> bool {
 
 /// Height of the highest corner of any block above the floor, m.
 pub fn top(world: &World) -> f64 {
-    let height = |(body, p): (usize, &[f64])| {
-        let (x, y, z, w) = (p[3], p[4], p[5], p[6]);
+    let height = |body| {
+        let pose = world.pose(body);
+        let [x, y, z, w] = pose.orientation.to_array();
         // The bottom row of the rotation matrix: how far each of the block's axes points up.
         let up = [2.0 * (x * z - w * y), 2.0 * (y * z + w * x), 1.0 - 2.0 * (x * x + y * y)];
-        let size = world.size(body as u32);
-        p[2] + 0.5 * (up[0].abs() * size.x + up[1].abs() * size.y + up[2].abs() * size.z)
+        let size = world.size(body);
+        pose.position.z + 0.5 * (up[0].abs() * size.x + up[1].abs() * size.y + up[2].abs() * size.z)
     };
-    world.poses().chunks_exact(7).enumerate().map(height).fold(f64::NEG_INFINITY, f64::max)
+    world.bodies().map(height).fold(f64::NEG_INFINITY, f64::max)
 }

@@ -1,8 +1,8 @@
 //! Placing a block on a tower, or dropping it there.
 
-use glam::{DQuat, DVec3};
+use glam::DVec3;
 use serde::Serialize;
-use teeter_physics::{Grip, Hand, Input, World};
+use teeter_physics::{BodyId, Hand, Input, Pose, World};
 
 use crate::places::Places;
 use crate::settle::{SETTLE, frames, run};
@@ -32,33 +32,21 @@ const LOWERING: f64 = 0.5;
 
 /// Lets go of `body` at `height` (m) over the highest corner of all others. The world is as built, with the body in the air above a tower; a hand holds it level while the
 /// tower settles, and brings it down.
-pub fn let_go(mut world: World, body: u32, height: f64) -> Placing {
-    let pose = &world.poses()[7 * body as usize..];
-    let (center, turn) = (DVec3::from_slice(pose), DQuat::from_slice(&pose[3..]));
-    let hand = |target: DVec3| Hand {
-        body,
-        anchor: DVec3::ZERO,
-        target,
-        orientation: Some(turn),
-        grip: Grip::Carry,
-        axis: DVec3::ZERO,
-        max_force: Hand::default_force(),
-        max_torque: Hand::default_torque(),
-    };
-    let hold = |world: &mut World, target: DVec3, seconds: f64| {
-        run(world, seconds, &Input { hand: Some(hand(target)), ..Input::default() })
-    };
+pub fn let_go(mut world: World, body: BodyId, height: f64) -> Placing {
+    let Pose { position: center, orientation: turn } = world.pose(body);
+    let hand = |target: DVec3| Input::hand(Hand::carry(body, DVec3::ZERO, target, turn));
+    let hold = |world: &mut World, target: DVec3, seconds: f64| run(world, seconds, &hand(target));
     hold(&mut world, center, SETTLE);
     let top = Solid::all(&world)
         .iter()
         .enumerate()
-        .filter(|(i, _)| *i != body as usize)
+        .filter(|(i, _)| *i != body.index())
         .map(|(_, s)| s.top())
         .fold(0.0, f64::max);
     let low = DVec3::new(center.x, center.y, top + height + 0.5 * world.size(body).z);
     let steps = frames(&world, LOWERING);
     for i in 1..=steps {
-        world.step(&Input { hand: Some(hand(center.lerp(low, i as f64 / steps as f64))), ..Input::default() });
+        world.step(&hand(center.lerp(low, i as f64 / steps as f64)));
     }
     hold(&mut world, low, LOWERING);
     let (start, places) = (world.time(), Places::of(&world));
@@ -74,7 +62,7 @@ pub fn let_go(mut world: World, body: u32, height: f64) -> Placing {
             break;
         }
     }
-    let now = DVec3::from_slice(&world.poses()[7 * body as usize..]);
+    let now = world.pose(body).position;
     Placing {
         others_mm: 1e3 * others,
         others_after_mm: 1e3 * places.furthest_but(&world, body),

@@ -41,10 +41,9 @@ pub fn rest(mut world: World, seconds: f64, gravity: f64, minute: impl Fn()) -> 
 
 /// Kinetic energy of the centres and potential energy, J.
 fn energies(world: &World, gravity: f64) -> (f64, f64) {
-    let velocities = world.velocities();
-    let of = |i: usize| {
-        let (v, m) = (&velocities[6 * i..6 * i + 3], world.mass(i as u32));
-        (0.5 * m * v.iter().map(|v| v * v).sum::<f64>(), m * gravity * world.poses()[7 * i + 2])
+    let of = |body| {
+        let (v, m) = (world.twist(body).velocity.to_array(), world.mass(body));
+        (0.5 * m * v.iter().map(|v| v * v).sum::<f64>(), m * gravity * world.pose(body).position.z)
     };
-    (0..world.len()).map(of).fold((0.0, 0.0), |sum, e| (sum.0 + e.0, sum.1 + e.1))
+    world.bodies().map(of).fold((0.0, 0.0), |sum, e| (sum.0 + e.0, sum.1 + e.1))
 }

@@ -2,7 +2,7 @@
 //! which it is to judge.
 
 use glam::{DMat3, DQuat, DVec3};
-use teeter_physics::World;
+use teeter_physics::{Pose, World};
 
 /// A cuboid somewhere in space.
 #[derive(Debug, Clone, Copy)]
@@ -23,12 +23,11 @@ const LOOK: f64 = 3e-3;
 impl Solid {
     /// All blocks of a world.
     pub fn all(world: &World) -> Vec<Solid> {
-        let of = |(i, p): (usize, &[f64])| Solid {
-            center: DVec3::from_slice(p),
-            turn: DQuat::from_slice(&p[3..]),
-            half: 0.5 * world.size(i as u32),
+        let of = |body| {
+            let Pose { position, orientation } = world.pose(body);
+            Solid { center: position, turn: orientation, half: 0.5 * world.size(body) }
         };
-        world.poses().chunks_exact(7).enumerate().map(of).collect()
+        world.bodies().map(of).collect()
     }
 
     /// Half the width of its shadow on an axis, m.

@@ -9,7 +9,7 @@
 use std::collections::VecDeque;
 
 use glam::DVec3;
-use teeter_physics::{AppliedForce, Input, World};
+use teeter_physics::{AppliedForce, BodyId, Input, World};
 
 use crate::settle::frames;
 
@@ -30,7 +30,7 @@ const HALVINGS: usize = 3;
 const KEPT: usize = 90;
 
 /// The force along `axis` (unit vector, world) that starts `body` sliding from the state of `settled`, N; none where [`STRONGEST`] does not.
-pub fn starting_force(settled: &World, body: u32, axis: DVec3) -> Option<f64> {
+pub fn starting_force(settled: &World, body: BodyId, axis: DVec3) -> Option<f64> {
     let block = Pulled::new(settled, body, axis);
     let mut world = settled.clone();
     let mut states = VecDeque::from([(0.0, world.clone())]);
@@ -66,16 +66,16 @@ pub fn starting_force(settled: &World, body: u32, axis: DVec3) -> Option<f64> {
 
 /// A block under a pull.
 struct Pulled {
-    body: u32,
+    body: BodyId,
     axis: DVec3,
     /// What bears it, with the share that each bears.
-    bearers: Vec<(u32, f64)>,
+    bearers: Vec<(BodyId, f64)>,
     /// How far along the axis it was from its bearers, m.
     start: f64,
 }
 
 impl Pulled {
-    fn new(world: &World, body: u32, axis: DVec3) -> Self {
+    fn new(world: &World, body: BodyId, axis: DVec3) -> Self {
         let contacts = world.contacts(body);
         let below = || contacts.iter().filter(|c| c.normal.z > 0.7);
         let borne: f64 = below().map(|c| c.force).sum();
@@ -87,13 +87,12 @@ impl Pulled {
 
     /// One frame at the end of which it is pulled with `force`, N.
     fn pull(&self, world: &mut World, force: f64) {
-        let pull = AppliedForce { body: self.body, point: DVec3::ZERO, force: self.axis * force };
-        world.step(&Input { forces: vec![pull], ..Input::default() });
+        world.step(&Input::force(AppliedForce::at_center(self.body, self.axis * force)));
     }
 
     /// How far it has slid on its bearers, m.
     fn slid(&self, world: &World) -> f64 {
-        let place = |i: u32| self.axis.dot(DVec3::from_slice(&world.poses()[7 * i as usize..]));
+        let place = |body| self.axis.dot(world.pose(body).position);
         let under: f64 = self.bearers.iter().map(|&(i, share)| share * place(i)).sum();
         place(self.body) - under - self.start
     }

@@ -1,7 +1,7 @@
 //! The X-ray: what each block of a world carries, and how tight it is.
 
 use serde::Serialize;
-use teeter_physics::World;
+use teeter_physics::{BodyId, World};
 
 /// A force below this is none, N: half of the weight of the lightest thing that lies on a block is far above it.
 const NONE: f64 = 1e-3;
@@ -33,10 +33,10 @@ impl Load {
 pub fn xray(world: &World, friction: f64) -> Vec<Load> {
     let count = world.len();
     let mut loads = vec![Load::default(); count];
-    let mut on_top: Vec<Vec<u32>> = vec![Vec::new(); count];
-    let mut bearers: Vec<Vec<u32>> = vec![Vec::new(); count];
-    for body in 0..count as u32 {
-        let i = body as usize;
+    let mut on_top: Vec<Vec<BodyId>> = vec![Vec::new(); count];
+    let mut bearers: Vec<Vec<BodyId>> = vec![Vec::new(); count];
+    for body in world.bodies() {
+        let i = body.index();
         for contact in world.contacts(body) {
             if contact.normal.z > UPRIGHT {
                 loads[i].below_n += contact.force;
@@ -48,11 +48,11 @@ pub fn xray(world: &World, friction: f64) -> Vec<Load> {
         }
     }
     for i in 0..count {
-        let mut mates: Vec<u32> =
-            on_top[i].iter().flat_map(|&j| &bearers[j as usize]).copied().filter(|&j| j as usize != i).collect();
+        let mut mates: Vec<BodyId> =
+            on_top[i].iter().flat_map(|&j| &bearers[j.index()]).copied().filter(|&j| j.index() != i).collect();
         mates.sort_unstable();
         mates.dedup();
-        let rest: f64 = mates.iter().map(|&j| loads[j as usize].above_n).sum();
+        let rest: f64 = mates.iter().map(|&j| loads[j.index()].above_n).sum();
         loads[i].tightness_n = friction * (loads[i].below_n + loads[i].above_n.min(rest));
     }
     loads

@@ -2,7 +2,7 @@
 
 use glam::DVec3;
 use serde::Serialize;
-use teeter_physics::{Drive, Input, World};
+use teeter_physics::{BodyId, Drive, Input, World};
 
 use crate::settle::frames;
 use crate::solid::{Solid, deepest, deepest_between};
@@ -37,12 +37,12 @@ pub struct Yank {
 
 /// Tears `bodies` out of a settled world with a velocity (m/s), lets go, and watches for `seconds`. What is seen is what is at the ends of frames and
 /// on the straight way between them: frames should be short, 1/240 s.
-pub fn yank(settled: &World, bodies: &[u32], velocity: DVec3, seconds: f64) -> Yank {
+pub fn yank(settled: &World, bodies: &[BodyId], velocity: DVec3, seconds: f64) -> Yank {
     let mut world = settled.clone();
     let frame = world.params().frame;
     let tearing = (TORN / velocity.length() / frame).ceil() as usize;
-    let drives = bodies.iter().map(|&body| Drive { body, velocity, max_force: Drive::default_force() }).collect();
-    let tear = Input { drives, ..Input::default() };
+    let drives = bodies.iter().map(|&body| Drive::new(body, velocity)).collect();
+    let tear = Input::drives(drives);
     let free = Input::default();
     let mut seen = Yank::default();
     let start = Solid::all(&world);

@@ -2,7 +2,7 @@
 //! It catches a ramp whose own inertia is counted as friction, and a tower measured while it still settles.
 
 use glam::DVec3;
-use teeter_physics::{Params, Precision};
+use teeter_physics::{BodyId, Params, Precision};
 use teeter_scene::{Form, Scene, Springs, TowerOptions, config, loose, named, tower};
 use teeter_study::{forces, long_axis, settled, starting_force, xray};
 
@@ -31,7 +31,7 @@ fn static_friction_starts_a_block_where_kinetic_friction_is_less() {
     let world = settled(&column, params()).unwrap();
     for body in [0, 4, 9] {
         let expected = 0.5 * 0.0196 * 9.81 * f64::from(10 - body);
-        let force = starting_force(&world, body, DVec3::X).unwrap();
+        let force = starting_force(&world, BodyId(body), DVec3::X).unwrap();
         assert!((force / expected - 1.0).abs() < 0.01, "block {body}: {force} instead of {expected} N");
     }
 }
@@ -77,7 +77,7 @@ fn the_force_map_of_blocks_of_springs_comes_to_that_of_rigid_ones() {
     let map = |scene: &Scene| -> Vec<f64> {
         let world = settled(scene, params()).unwrap();
         (0..scene.blocks.len())
-            .map(|i| starting_force(&world, i as u32, long_axis(&scene.blocks[i]).extend(0.0)).unwrap())
+            .map(|i| starting_force(&world, BodyId(i as u32), long_axis(&scene.blocks[i]).extend(0.0)).unwrap())
             .collect()
     };
     let rigid = map(&scene);

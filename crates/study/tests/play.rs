@@ -1,7 +1,7 @@
 //! What a hand and an arm do to a tower, in cases of which the outcome is beyond doubt.
 
 use glam::DVec3;
-use teeter_physics::{Params, World};
+use teeter_physics::{BodyId, Params, World};
 use teeter_scene::{Block, TowerOptions, config, loose, named};
 use teeter_study::{extract, legal, let_go, remove, rest, settled, yank};
 
@@ -13,7 +13,7 @@ fn params() -> Params {
 fn a_loose_block_comes_out_and_a_tight_one_does_not() {
     let scene = loose("(000)-(0L0)-(000)-(000)", &TowerOptions::exact()).unwrap();
     let world = settled(&scene, params()).unwrap();
-    let taken = extract(&world, 4, DVec3::Y, 0.05);
+    let taken = extract(&world, BodyId(4), DVec3::Y, 0.05);
     assert!(taken.out && !taken.fell && taken.others_mm < 0.2, "{taken:?}");
     assert!(taken.force_n > 0.4 * 0.0196 * 9.81 && taken.force_n < 0.3, "{taken:?}");
     let heavy = {
@@ -21,7 +21,7 @@ fn a_loose_block_comes_out_and_a_tight_one_does_not() {
         scene.blocks[7].mass = 2.0;
         scene
     };
-    let stuck = extract(&settled(&heavy, params()).unwrap(), 3, DVec3::Y, 0.05);
+    let stuck = extract(&settled(&heavy, params()).unwrap(), BodyId(3), DVec3::Y, 0.05);
     assert!(!stuck.out && stuck.force_n > 3.9, "{stuck:?}");
 }
 
@@ -30,7 +30,7 @@ fn a_block_let_go_comes_to_rest_on_top() {
     let mut scene = config("(111)-(111)", &TowerOptions::exact()).unwrap();
     let block = Block { id: 99, pos: [0.0, 0.0, 0.036 + 0.009 + 0.03], ..scene.blocks[0].clone() };
     scene.blocks.push(block);
-    let placed = let_go(World::new(&scene, params()).unwrap(), 6, 0.01);
+    let placed = let_go(World::new(&scene, params()).unwrap(), BodyId(6), 0.01);
     assert!(placed.stays && placed.others_mm > 0.001 && placed.others_mm < 1.0, "{placed:?}");
     // 1 cm takes 45 ms, and some bounces come after
     assert!(placed.rest_s.is_some_and(|t| t > 0.045 && t < 2.0), "{placed:?}");
@@ -51,7 +51,7 @@ fn a_bottom_block_that_bears_alone_cannot_be_taken() {
 #[test]
 fn a_torn_tower_ends_as_a_heap_of_solid_blocks() {
     let world = settled(&named("loose").unwrap(), Params { frame: 1.0 / 240.0, ..params() }).unwrap();
-    let torn = yank(&world, &[3, 4, 5], DVec3::new(1.0, 0.0, 0.0), 2.0);
+    let torn = yank(&world, &[3, 4, 5].map(BodyId), DVec3::new(1.0, 0.0, 0.0), 2.0);
     assert!(torn.moved > 12 && !torn.lost && !torn.through && torn.lasting_s < 0.02, "{torn:?}");
     assert!(torn.quiet_s.is_some(), "{torn:?}");
 }

@@ -1,7 +1,7 @@
 //! A world behind the border.
 
 use serde::Deserialize;
-use teeter_physics::{Input, Params, World};
+use teeter_physics::{BodyId, Input, Params, World};
 use teeter_scene::{Form, Scene, Springs};
 use teeter_study::{Load, xray};
 use wasm_bindgen::prelude::*;
@@ -49,7 +49,7 @@ impl Simulation {
             .chain(input.forces.iter().map(|f| f.body))
             .chain(input.drives.iter().map(|d| d.body));
         for body in bodies {
-            self.check(body)?;
+            self.check(body.0)?;
         }
         let report = self.world.step(&input);
         serde_json::to_string(&report).map_err(|e| Failure::reading("report", e))
@@ -69,19 +69,19 @@ impl Simulation {
 
     /// Edge lengths of all bodies, three numbers each, m.
     pub fn sizes(&self) -> Vec<f64> {
-        (0..self.world.len() as u32).flat_map(|body| self.world.size(body).to_array()).collect()
+        self.world.bodies().flat_map(|body| self.world.size(body).to_array()).collect()
     }
 
     /// The loaded contacts of a body as JSON: `[{"other", "point", "normal", "force"}]`.
     pub fn contacts(&self, body: u32) -> Result<String, Failure> {
-        self.check(body)?;
+        let body = self.check(body)?;
         serde_json::to_string(&self.world.contacts(body)).map_err(|e| Failure::reading("contacts", e))
     }
 
     /// Whether a body sleeps.
     pub fn asleep(&self, body: u32) -> Result<bool, Failure> {
-        self.check(body)?;
-        Ok(self.world.asleep(body))
+        let body = self.check(body)?;
+        Ok(self.world.is_asleep(body))
     }
 
     /// Hash of the whole state, 16 hexadecimal digits.
@@ -132,7 +132,7 @@ impl Simulation {
     #[wasm_bindgen(js_name = latticesPtr)]
     pub fn lattices_ptr(&mut self) -> *const f32 {
         self.lattices.clear();
-        for report in (0..self.world.len() as u32).filter_map(|body| self.world.lattice(body)) {
+        for report in self.world.bodies().filter_map(|body| self.world.lattice(body)) {
             self.lattices.extend(report.particles.iter().flat_map(|at| at.as_vec3().to_array()));
             self.lattices.extend(report.forces.iter().map(|&force| force as f32));
         }
@@ -152,13 +152,9 @@ impl Simulation {
         self.world.time()
     }
 
-    fn check(&self, body: u32) -> Result<(), Failure> {
-        let count = self.world.len();
-        if (body as usize) < count {
-            Ok(())
-        } else {
-            Err(Failure(format!("there is no body {body}: the world has {count}")))
-        }
+    fn check(&self, body: u32) -> Result<BodyId, Failure> {
+        let unknown = || Failure(format!("there is no body {body}: the world has {}", self.world.len()));
+        self.world.body(body).ok_or_else(unknown)
     }
 }
 

@@ -2,7 +2,7 @@
 
 use glam::{DQuat, DVec3};
 use teeter_dissertation::jenga3d::{self, Constants, Disabling, Jenga3D};
-use teeter_physics::{Grip, Hand, Input, Params, World};
+use teeter_physics::{BodyId, Grip, Hand, Input, Params, Pose, Twist, World};
 use teeter_scene::{Form, Scene};
 
 use super::work;
@@ -170,28 +170,15 @@ struct Engine {
     work: f64,
 }
 
-impl Engine {
-    fn pose(&self, block: usize) -> (DVec3, DQuat) {
-        let p = &self.world.poses()[7 * block..][..7];
-        (DVec3::new(p[0], p[1], p[2]), DQuat::from_xyzw(p[3], p[4], p[5], p[6]))
-    }
-}
-
 impl Tower for Engine {
     fn frame(&mut self, hand: Option<&Grasp>) {
         self.grasped = hand.map(|grasp| match self.grasped {
             Some((block, held)) if block == grasp.block => (block, held),
-            _ => (grasp.block, self.pose(grasp.block as usize).1),
+            _ => (grasp.block, self.world.pose(BodyId(grasp.block)).orientation),
         });
-        let hand = hand.map(|grasp| Hand {
-            body: grasp.block,
-            anchor: DVec3::ZERO,
-            target: grasp.target,
-            orientation: self.grasped.map(|(_, held)| held),
+        let hand = hand.zip(self.grasped).map(|(grasp, (block, held))| Hand {
             grip: if grasp.carried { Grip::Carry } else { Grip::Slide },
-            axis: DVec3::ZERO,
-            max_force: Hand::default_force(),
-            max_torque: Hand::default_torque(),
+            ..Hand::slide(BodyId(block), DVec3::ZERO, grasp.target, held)
         });
         let report = self.world.step(&Input { hand, ..Input::default() });
         self.work = work::of_world(&self.world, &report);
@@ -202,11 +189,12 @@ impl Tower for Engine {
     }
 
     fn corners(&self, block: usize) -> [DVec3; 8] {
+        let body = BodyId(block as u32);
         let side = |c: usize, bit: usize| if c >> bit & 1 == 1 { 1.0 } else { -1.0 };
-        let (centre, axes) = match self.world.lattice(block as u32) {
+        let (centre, axes) = match self.world.lattice(body) {
             None => {
-                let (centre, turn) = self.pose(block);
-                let half = 0.5 * self.world.size(block as u32);
+                let Pose { position: centre, orientation: turn } = self.world.pose(body);
+                let half = 0.5 * self.world.size(body);
                 (centre, [turn * (half.x * DVec3::X), turn * (half.y * DVec3::Y), turn * (half.z * DVec3::Z)])
             }
             // Surfaces follow what is affine in the places of the particles, which stand within the block.
@@ -222,7 +210,7 @@ impl Tower for Engine {
     }
 
     fn rests(&self, block: usize) -> bool {
-        self.world.asleep(block as u32)
+        self.world.is_asleep(BodyId(block as u32))
     }
 
     fn work(&self) -> f64 {
@@ -230,6 +218,6 @@ impl Tower for Engine {
     }
 
     fn throw(&mut self, block: usize, velocity: DVec3) {
-        self.world.set_velocity(block as u32, velocity, DVec3::ZERO);
+        self.world.set_twist(BodyId(block as u32), Twist::linear(velocity));
     }
 }

@@ -2,7 +2,7 @@
 #![allow(dead_code, reason = "each test file uses its own part")]
 
 use glam::{DQuat, DVec3};
-use teeter_physics::{Input, Params, Precision, StepReport, World};
+use teeter_physics::{BodyId, Input, POSE_STRIDE, Params, Pose, Precision, StepReport, Twist, World};
 use teeter_scene::{Block, Form, Scene, Springs};
 
 /// Standard gravity, m/s².
@@ -60,32 +60,37 @@ pub fn run(world: &mut World, seconds: f64, input: &Input) -> StepReport {
     report
 }
 
+/// Poses of all bodies.
+pub fn poses(world: &World) -> Vec<Pose> {
+    world.poses().chunks_exact(POSE_STRIDE).map(Pose::from_slice).collect()
+}
+
 /// Centre of a body, m.
 pub fn position(world: &World, body: usize) -> DVec3 {
-    DVec3::from_slice(&world.poses()[7 * body..])
+    world.pose(BodyId(body as u32)).position
 }
 
 /// Orientation of a body.
 pub fn orientation(world: &World, body: usize) -> DQuat {
-    DQuat::from_slice(&world.poses()[7 * body + 3..])
+    world.pose(BodyId(body as u32)).orientation
 }
 
 /// Velocity and spin of a body, m/s and rad/s.
 pub fn motion(world: &World, body: usize) -> (DVec3, DVec3) {
-    let v = world.velocities();
-    (DVec3::from_slice(&v[6 * body..]), DVec3::from_slice(&v[6 * body + 3..]))
+    let Twist { velocity, spin } = world.twist(BodyId(body as u32));
+    (velocity, spin)
 }
 
 /// Largest distance of any centre from where it was, m.
-pub fn displacement(before: &[f64], world: &World) -> f64 {
-    let moved = |i: usize| (position(world, i) - DVec3::from_slice(&before[7 * i..])).length();
+pub fn displacement(before: &[Pose], world: &World) -> f64 {
+    let moved = |i: usize| (position(world, i) - before[i].position).length();
     (0..world.len()).map(moved).fold(0.0, f64::max)
 }
 
 /// Gravity on a ground that leans by an angle of this tangent towards x.
 pub fn tilted(tangent: f64) -> Input {
     let c = 1.0 / (1.0 + tangent * tangent).sqrt();
-    Input { gravity: Some(DVec3::new(G * tangent * c, 0.0, -G * c)), ..Input::default() }
+    Input::gravity(DVec3::new(G * tangent * c, 0.0, -G * c))
 }
 
 /// Principal moments of inertia of a uniform cuboid, kg m².
@@ -98,7 +103,7 @@ pub fn inertia(size: [f64; 3], mass: f64) -> DVec3 {
 pub fn stopping_distance(world: &mut World) -> (f64, f64) {
     run(world, 1.0, &Input::default());
     let start = position(world, 0);
-    world.set_velocity(0, DVec3::new(0.5, 0.0, 0.0), DVec3::ZERO);
+    world.set_twist(BodyId(0), Twist::linear(DVec3::new(0.5, 0.0, 0.0)));
     run(world, 1.0, &Input::default());
     (position(world, 0).x - start.x, 0.5 * 0.5 / (2.0 * 0.4 * G))
 }

@@ -2,7 +2,7 @@
 
 use glam::DVec3;
 use serde_json::json;
-use teeter_physics::{Input, Params, World};
+use teeter_physics::{BodyId, Input, Params, Twist, World};
 use teeter_scene::{Block, Form, Scene, named};
 use teeter_study::{each, frames, run, settled, starting_force, torsion};
 
@@ -21,14 +21,8 @@ fn one(form: Form, size: [f64; 3], friction: f64, kinetic: Option<f64>) -> Scene
     Scene { friction, kinetic_friction: kinetic, form, blocks: vec![block], ..scene }
 }
 
-fn place(world: &World, body: usize) -> DVec3 {
-    DVec3::from_slice(&world.poses()[7 * body..])
-}
-
-fn motion(world: &World, body: usize) -> (DVec3, DVec3) {
-    let v = &world.velocities()[6 * body..];
-    (DVec3::from_slice(v), DVec3::from_slice(&v[3..]))
-}
+/// The only block.
+const ONE: BodyId = BodyId(0);
 
 /// Measures all of them.
 pub fn measure(size: &Size) -> Result<Section, Fault> {
@@ -63,7 +57,7 @@ pub fn measure(size: &Size) -> Result<Section, Fault> {
     for direction in [0.0, 30.0, 45.0, 90.0_f64] {
         let (sin, cos) = libm::sincos(direction.to_radians());
         let world = settled(&one(form, SIZE, 0.4, None), params()).map_err(built)?;
-        let force = starting_force(&world, 0, DVec3::new(cos, sin, 0.0)).unwrap_or(f64::NAN);
+        let force = starting_force(&world, ONE, DVec3::new(cos, sin, 0.0)).unwrap_or(f64::NAN);
         off.push(row(
             &format!("force that starts a block at {direction} degrees to its length"),
             force,
@@ -73,11 +67,11 @@ pub fn measure(size: &Size) -> Result<Section, Fault> {
     }
     for mu in [0.25, 0.5] {
         let world = settled(&one(form, SIZE, mu, None), params()).map_err(built)?;
-        let force = starting_force(&world, 0, DVec3::X).unwrap_or(f64::NAN);
+        let force = starting_force(&world, ONE, DVec3::X).unwrap_or(f64::NAN);
         off.push(row(&format!("force that starts a block, mu {mu}"), force, mu * 0.0196 * 9.81, "N"));
     }
     let kinetic = settled(&one(form, SIZE, 0.5, Some(0.35)), params()).map_err(built)?;
-    let force = starting_force(&kinetic, 0, DVec3::X).unwrap_or(f64::NAN);
+    let force = starting_force(&kinetic, ONE, DVec3::X).unwrap_or(f64::NAN);
     off.push(row("force that starts a block, static 0.5 and kinetic 0.35", force, 0.5 * 0.0196 * 9.81, "N"));
     section.goal(
         "slides and starts, furthest from Coulomb",
@@ -138,7 +132,7 @@ fn column(size: &Size) -> Result<(f64, Vec<f64>), Fault> {
     let world = settled(&scene, params()).map_err(built)?;
     let of = |&body: &u32| {
         let expected = scene.friction * scene.blocks[0].mass * scene.gravity * f64::from(10 - body);
-        [DVec3::X, DVec3::NEG_X].map(|axis| starting_force(&world, body, axis).unwrap_or(f64::NAN) / expected)
+        [DVec3::X, DVec3::NEG_X].map(|axis| starting_force(&world, BodyId(body), axis).unwrap_or(f64::NAN) / expected)
     };
     let ratios: Vec<f64> = each(&blocks, of).into_iter().flatten().collect();
     // a block that did not move counts as far off
@@ -148,10 +142,10 @@ fn column(size: &Size) -> Result<(f64, Vec<f64>), Fault> {
 
 fn stopping(form: Form, friction: f64, kinetic: Option<f64>) -> Result<f64, Fault> {
     let mut world = settled(&one(form, SIZE, friction, kinetic), params()).map_err(built)?;
-    let start = place(&world, 0).x;
-    world.set_velocity(0, DVec3::new(0.5, 0.0, 0.0), DVec3::ZERO);
+    let start = world.pose(ONE).position.x;
+    world.set_twist(ONE, Twist::linear(DVec3::new(0.5, 0.0, 0.0)));
     run(&mut world, 1.0, &Input::default());
-    Ok(place(&world, 0).x - start)
+    Ok(world.pose(ONE).position.x - start)
 }
 
 /// Way in 10 s a little below and a little above the angle of friction, m.
@@ -159,11 +153,11 @@ fn incline(form: Form) -> Result<(f64, f64), Fault> {
     let way = |slope: f64| -> Result<f64, Fault> {
         let mut world = World::new(&one(form, SIZE, 0.4, None), params()).map_err(built)?;
         let gravity = 9.81 / (1.0 + slope * slope).sqrt() * DVec3::new(slope, 0.0, -1.0);
-        let input = Input { gravity: Some(gravity), ..Input::default() };
+        let input = Input::gravity(gravity);
         run(&mut world, 1.0, &input);
-        let start = place(&world, 0);
+        let start = world.pose(ONE).position;
         run(&mut world, 10.0, &input);
-        Ok(place(&world, 0).distance(start))
+        Ok(world.pose(ONE).position.distance(start))
     };
     Ok((way(0.4 * 0.998)?, way(0.4 * 1.005)?))
 }
@@ -172,10 +166,10 @@ fn incline(form: Form) -> Result<(f64, f64), Fault> {
 fn spin_down(form: Form, shape: [f64; 3]) -> Result<f64, Fault> {
     let short = Params { frame: 1.0 / 2400.0, ..params() };
     let mut world = settled(&one(form, shape, 0.4, None), short).map_err(built)?;
-    world.set_velocity(0, DVec3::ZERO, DVec3::new(0.0, 0.0, 10.0));
+    world.set_twist(ONE, Twist::angular(DVec3::new(0.0, 0.0, 10.0)));
     for i in 1..=frames(&world, 1.0) {
         world.step(&Input::default());
-        if motion(&world, 0).1.z < 0.1 {
+        if world.twist(ONE).spin.z < 0.1 {
             return Ok(i as f64 * short.frame / 0.99);
         }
     }
@@ -187,7 +181,7 @@ fn bounce(form: Form, restitution: f64, height: f64) -> Result<f64, Fault> {
     let mut scene = Scene { restitution, gravity: 0.0, ..one(form, SIZE, 0.4, None) };
     scene.blocks[0].pos[2] += height;
     let mut world = World::new(&scene, params()).map_err(built)?;
-    world.set_velocity(0, DVec3::new(0.0, 0.0, -0.5), DVec3::ZERO);
+    world.set_twist(ONE, Twist::linear(DVec3::new(0.0, 0.0, -0.5)));
     run(&mut world, 0.1, &Input::default());
-    Ok(motion(&world, 0).0.z / 0.5)
+    Ok(world.twist(ONE).velocity.z / 0.5)
 }

@@ -2,7 +2,7 @@
 
 use glam::DVec3;
 use serde_json::{Value, json};
-use teeter_physics::World;
+use teeter_physics::{BodyId, World};
 use teeter_scene::Scene;
 use teeter_study::{Extraction, each, extract, long_axis, settled, xray};
 
@@ -21,10 +21,10 @@ const STIFFNESS: f64 = 1e6;
 const REFERENCE: f64 = 3e6;
 
 /// A settled tower, and its loose blocks with their axes.
-type Loose = (World, Vec<(u32, DVec3)>);
+type Loose = (World, Vec<(BodyId, DVec3)>);
 
 /// A loose block in its tower, and its axis.
-type Pull<'a> = (&'a World, u32, DVec3);
+type Pull<'a> = (&'a World, BodyId, DVec3);
 
 /// What is to be taken out of towers; few where it is to be `quick`.
 fn pulls(worlds: &[Loose], quick: bool) -> Vec<Pull<'_>> {
@@ -38,7 +38,7 @@ fn loose_blocks(scenes: &[Scene]) -> Result<Vec<Loose>, Fault> {
         let world = settled(scene, params()).map_err(built)?;
         let loads = xray(&world, scene.friction);
         let loose = (0..scene.blocks.len() - 3).filter(|&i| loads[i].is_loose());
-        let loose = loose.map(|i| (i as u32, long_axis(&scene.blocks[i]).extend(0.0))).collect();
+        let loose = loose.map(|i| (BodyId(i as u32), long_axis(&scene.blocks[i]).extend(0.0))).collect();
         Ok((world, loose))
     };
     each(scenes, of).into_iter().collect()

@@ -1,7 +1,7 @@
 //! Blocks placed and dropped on top.
 
 use serde_json::json;
-use teeter_physics::World;
+use teeter_physics::{BodyId, World};
 use teeter_scene::{Block, Scene};
 use teeter_study::{Placing, each, let_go};
 
@@ -49,8 +49,9 @@ pub fn measure(size: &Size) -> Result<Section, Fault> {
     for height in heights {
         let placed = each(&cases, |&(scene, column)| {
             let scene = with_block(scene, column);
-            let placed =
-                World::new(&scene, params()).map(|w| let_go(w, scene.blocks.len() as u32 - 1, height)).map_err(built);
+            let placed = World::new(&scene, params())
+                .map(|w| let_go(w, BodyId(scene.blocks.len() as u32 - 1), height))
+                .map_err(built);
             bar.inc(1);
             placed
         });

@@ -1,6 +1,7 @@
 //! Both makes of block, friction and stiffness: the same questions over the range in which a player may set them.
 
 use serde_json::json;
+use teeter_physics::BodyId;
 use teeter_scene::{BlockPreset, TowerOptions};
 use teeter_study::{Rigid, each, extract, long_axis, settled, starting_force, xray};
 
@@ -54,17 +55,18 @@ pub fn measure(size: &Size) -> Result<Section, Fault> {
                     let (mut off, mut out, mut others_mm) = (Vec::new(), Vec::new(), Vec::new());
                     for &i in loose.iter().step_by(step).take(3) {
                         let axis = long_axis(&scene.blocks[i]).extend(0.0);
-                        let both =
-                            [axis, -axis].map(|axis| starting_force(&world, i as u32, axis).unwrap_or(f64::INFINITY));
+                        let both = [axis, -axis]
+                            .map(|axis| starting_force(&world, BodyId(i as u32), axis).unwrap_or(f64::INFINITY));
                         off.push(
                             (0.5 * (both[0] + both[1]) / (friction * scene.blocks[i].mass * scene.gravity) - 1.0).abs(),
                         );
-                        let taken = extract(&world, i as u32, axis, 0.05);
+                        let taken = extract(&world, BodyId(i as u32), axis, 0.05);
                         out.push(taken.out);
                         others_mm.push(taken.others_mm);
                     }
                     bar.inc(1);
-                    let top = scene.blocks.iter().zip(world.poses().chunks_exact(7)).map(|(b, p)| b.pos[2] - p[2]);
+                    let top =
+                        scene.blocks.iter().zip(world.bodies()).map(|(b, body)| b.pos[2] - world.pose(body).position.z);
                     let stands = top.fold(0.0, f64::max) < 3e-3;
                     Ok::<_, Fault>(Seen {
                         stands,

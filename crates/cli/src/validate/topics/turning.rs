@@ -1,7 +1,7 @@
 //! How a tower turns above a tight block that is pulled beside its middle.
 
 use serde_json::json;
-use teeter_physics::{Params, Precision};
+use teeter_physics::{BodyId, Params, Precision};
 use teeter_scene::Scene;
 use teeter_study::{Rigid, Spread, each, long_axis, motion, settled, twist};
 
@@ -46,8 +46,8 @@ pub fn measure(size: &Size) -> Result<Section, Fault> {
         let bar = output::progress(turning.len() as u64, "blocks");
         let seen = each(&turning, |&i| {
             let axis = long_axis(&scene.blocks[i]).extend(0.0);
-            let above: Vec<u32> = (3 * (i / 3 + 1) as u32..).take(3).collect();
-            let engine = [&usual, &fine].map(|world| twist(world, i as u32, axis, &above, WAY, SPEED));
+            let above: Vec<BodyId> = (3 * (i / 3 + 1) as u32..).take(3).map(BodyId).collect();
+            let engine = [&usual, &fine].map(|world| twist(world, BodyId(i as u32), axis, &above, WAY, SPEED));
             let theory = [Spread::Lever, Spread::Corners, Spread::Mesh(if size.quick { 4 } else { 12 })]
                 .map(|spread| motion(scene, &rigid, i, spread));
             bar.inc(1);

@@ -2,7 +2,7 @@
 
 use glam::DVec3;
 use serde_json::{Value, json};
-use teeter_physics::{Params, World};
+use teeter_physics::{BodyId, Params, World};
 use teeter_scene::{Random, Scene};
 use teeter_study::{Yank, each, long_axis, settled, yank};
 
@@ -23,7 +23,7 @@ const LASTS: f64 = 0.05;
 /// What is torn, and how.
 struct Case {
     tower: usize,
-    bodies: Vec<u32>,
+    bodies: Vec<BodyId>,
     velocity: DVec3,
     watched: f64,
 }
@@ -123,14 +123,14 @@ fn cases(size: &Size, scenes: &[Scene]) -> Vec<Case> {
         if i % 10 == 9 {
             let row = of(2);
             let along = if of(2) == 0 { DVec3::X } else { DVec3::Y };
-            let bodies = (3 * row as u32..3 * row as u32 + 6).collect();
+            let bodies = (3 * row as u32..3 * row as u32 + 6).map(BodyId).collect();
             return Case { tower, bodies, velocity: along * speed.min(5.0), watched: WATCHED.1 };
         }
         let body = of(blocks.len());
         let along = long_axis(&blocks[body]).extend(0.0);
         let across = DVec3::new(-along.y, along.x, 0.0);
         let direction = [along, -along, across, -across, DVec3::Z, DVec3::NEG_Z][of(6)];
-        Case { tower, bodies: vec![body as u32], velocity: direction * speed, watched: WATCHED.0 }
+        Case { tower, bodies: vec![BodyId(body as u32)], velocity: direction * speed, watched: WATCHED.0 }
     };
     (0..size.yanks).map(&mut case).collect()
 }

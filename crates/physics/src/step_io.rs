@@ -1,0 +1,99 @@
+//! Both ends of a step: the input that is let in, and the report on it.
+
+use crate::body_id::BodyId;
+use crate::frame::Outcome;
+use crate::hand::{Aim, grasped};
+use crate::input::{Grip, Hand, Input};
+use crate::report::StepReport;
+use crate::world::World;
+
+/// Upper limit of a hand's force, N, whatever the input asks for.
+const MAX_HAND_FORCE: f64 = 50.0;
+
+impl World {
+    /// Returns the input without its invalid parts: unknown or quarantined bodies, numbers that are not
+    /// finite, negative limits.
+    pub(crate) fn sanitise(&self, input: &Input) -> Input {
+        let known = |body: BodyId| body.index() < self.len();
+        let mut input = input.clone();
+        input.gravity = input.gravity.filter(|g| g.is_finite());
+        input.forces.retain(|f| known(f.body) && f.point.is_finite() && f.force.is_finite());
+        input.drives.retain(|d| known(d.body) && d.velocity.is_finite() && d.max_force >= 0.0);
+        input.hand = input.hand.filter(|h| known(h.body) && !self.is_quarantined(h.body) && is_valid(h));
+        if let Some(hand) = &mut input.hand {
+            hand.max_force = hand.max_force.min(MAX_HAND_FORCE);
+            hand.orientation = hand.orientation.map(|q| q.normalize());
+            if let Grip::Push { axis } = &mut hand.grip {
+                *axis = axis.normalize_or_zero();
+            }
+        }
+        input
+    }
+
+    /// Wakes the bodies that the input acts on, and those that the last one acted on: a hand or force
+    /// that lets go changes loads as well.
+    pub(crate) fn wake_targets(&mut self, input: &Input) {
+        let gravity = input.gravity.unwrap_or(self.setup.own_gravity());
+        let mut targets: Vec<BodyId> = input.forces.iter().map(|f| f.body).collect();
+        targets.extend(input.drives.iter().map(|d| d.body));
+        targets.extend(input.hand.iter().map(|h| h.body));
+        targets.extend(self.forces.iter().map(|f| f.body));
+        targets.extend(self.aim.iter().map(|aim| BodyId(aim.body)));
+        if gravity != self.gravity {
+            targets = self.bodies().collect();
+        }
+        self.gravity = gravity;
+        targets.into_iter().for_each(|body| self.wake(body));
+    }
+
+    /// Stores the parts of the input that the next step ramps from.
+    pub(crate) fn store_input(&mut self, input: &Input) {
+        self.aim = input.hand.as_ref().map(Aim::of);
+        self.forces.clone_from(&input.forces);
+    }
+
+    /// Updates time and poses at the end of a step and returns the report on it.
+    pub(crate) fn report(&mut self, input: &Input, outcomes: Vec<Outcome>) -> StepReport {
+        self.time += self.setup.substeps as f64 * self.setup.h;
+        self.write_poses();
+        let mut report = StepReport { time: self.time, ..StepReport::default() };
+        let mut squares = 0.0;
+        for (cluster, outcome) in self.clusters.list.iter().zip(outcomes) {
+            report.substeps = report.substeps.max(outcome.substeps);
+            report.syncs += outcome.syncs;
+            report.detections += outcome.detections;
+            report.manifolds += cluster.contacts.manifolds.len() as u32;
+            let points = cluster.contacts.manifolds.iter().flat_map(|m| &m.points);
+            report.touching += points.filter(|p| p.force > 0.0).count() as u32;
+            report.awake += (0..cluster.len()).filter(|&i| cluster.bodies.moves(i)).count() as u32;
+            report.penetration = report.penetration.max(outcome.penetration);
+            for v in &cluster.bodies.velocity {
+                squares += v.length_squared();
+                report.max_speed = report.max_speed.max(v.length());
+            }
+            report.quarantined.extend(outcome.quarantined.iter().map(|&i| BodyId(cluster.ids[i as usize])));
+            report.hand = report.hand.or(outcome.hand);
+        }
+        report.quarantined.sort_unstable();
+        report.rms_speed = (squares / self.len().max(1) as f64).sqrt();
+        if let (Some(to), Some(hand)) = (&mut report.hand, &input.hand) {
+            let (cluster, i) = self.clusters.of(hand.body.0);
+            to.point = grasped(&hand.anchor, &cluster.bodies, i);
+        }
+        report
+    }
+}
+
+/// Returns true if every number of a hand is finite and its limits are not negative.
+fn is_valid(hand: &Hand) -> bool {
+    let axis_is_finite = match hand.grip {
+        Grip::Push { axis } => axis.is_finite(),
+        Grip::Slide | Grip::Carry => true,
+    };
+    axis_is_finite
+        && hand.anchor.is_finite()
+        && hand.target.is_finite()
+        && hand.orientation.is_none_or(|q| q.is_finite() && q.length_squared() > 0.0)
+        && hand.max_force >= 0.0
+        && hand.max_torque >= 0.0
+}
