@@ -2,29 +2,29 @@
 
 use serde::{Deserialize, Serialize};
 
-/// Number format of the inner loop. Poses and gaps at sync are double in both.
+/// Number format of the inner loop. Poses, and gaps at each sync, are double precision in both.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "lowercase")]
 pub enum Precision {
-    /// f32: fast, what is played.
+    /// f32: fast, for play.
     Single,
-    /// f64: the truth that the fast loop is tested against.
+    /// f64: the reference that tests compare single precision with.
     Double,
 }
 
-/// Registers that the inner loop works in. All give the same bits: this is for measuring and for tests.
+/// Register width of the inner loop. All give the same bits: the choice is for measurements and tests.
 ///
-/// A processor that lacks a width uses the widest below it that it has. Where the target leaves no choice, as in WebAssembly, every
-/// width means the one that the program was built for.
+/// A processor without a width uses the widest below it. Where the target leaves no choice, as in
+/// WebAssembly, every width means the one that the program was built for.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "lowercase")]
 pub enum Width {
-    /// The widest that the processor has.
+    /// Widest registers of the processor.
     #[default]
     Auto,
-    /// Plain numbers, for the compiler to make the best of.
+    /// Scalars, vectorised by the compiler where it can.
     Portable,
-    /// 128 bits, which every x86-64 has.
+    /// 128 bits: every x86-64.
     Sse2,
     /// 256 bits.
     Avx2,
@@ -33,7 +33,7 @@ pub enum Width {
 }
 
 impl Width {
-    /// Whether this processor has it; where it has not, another is used in its place.
+    /// Returns true if this processor has the width; otherwise a narrower one is used.
     pub fn available(self) -> bool {
         #[cfg(target_arch = "x86_64")]
         return match self {
@@ -47,18 +47,29 @@ impl Width {
 }
 
 /// Constants of a run: with the scene, the state and the inputs they determine all of the future.
+///
+/// ```
+/// use teeter_physics::{Params, Precision, World};
+///
+/// let scene = teeter_scene::named("block").unwrap();
+/// let reference = Params { precision: Precision::Double, sleep: false, ..Params::default() };
+/// assert!(World::new(&scene, reference).is_ok());
+/// let error = World::new(&scene, Params { frame: 1.0, ..reference }).unwrap_err();
+/// assert_eq!(error.to_string(), "parameter `frame` is 1, expected 0.0001 to 0.1 s");
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 #[serde(default, deny_unknown_fields)]
 pub struct Params {
     /// Number format of the inner loop.
     pub precision: Precision,
-    /// Registers of the inner loop; never changes the result.
+    /// Register width of the inner loop; never changes the result.
     pub width: Width,
-    /// Whether bodies at rest may sleep. It saves work and never decides stability.
+    /// Bodies at rest may sleep. Sleep saves work and never decides stability.
     pub sleep: bool,
-    /// Time over which gravity grows to its full value at the start, s. Gravity at once would drop a tower onto its springs.
+    /// Time over which gravity ramps to its full value at the start, s. A sudden start would drop a
+    /// tower onto its springs.
     pub ramp: f64,
-    /// Time that one step covers, s.
+    /// Length of a frame, the time that one step covers, s.
     pub frame: f64,
 }
 

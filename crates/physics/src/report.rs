@@ -5,68 +5,79 @@ use serde::Serialize;
 
 use crate::body_id::BodyId;
 
-/// What happened during one step.
+/// Report of one step.
+///
+/// ```
+/// use teeter_physics::{Input, Params, World};
+///
+/// let mut world = World::new(&teeter_scene::named("column").unwrap(), Params::default())?;
+/// let report = world.step(&Input::default());
+/// assert_eq!(report.awake as usize, world.len());
+/// # Ok::<(), teeter_physics::BuildError>(())
+/// ```
 #[derive(Debug, Clone, Default, PartialEq, Serialize)]
 pub struct StepReport {
     /// Simulated time at the end of the step, s.
     pub time: f64,
-    /// Substeps that were run; of clusters stepped apart, those of the one with most.
+    /// Substeps; the maximum over clusters.
     pub substeps: u32,
-    /// Runs of the inner loop between two syncs, over all clusters.
+    /// Syncs, summed over clusters.
     pub syncs: u32,
-    /// Pairs on which detection ran.
+    /// Pairs tested by the narrow phase.
     pub detections: u32,
-    /// Manifolds kept.
+    /// Manifolds at the end.
     pub manifolds: u32,
-    /// Points that carry load at the end.
+    /// Contact points under load at the end.
     pub touching: u32,
     /// Bodies awake at the end.
     pub awake: u32,
-    /// Deepest overlap at any sync of the step, m.
+    /// Deepest penetration at any sync of the step, m.
     pub penetration: f64,
-    /// Fastest body at the end, m/s.
+    /// Maximum speed over the bodies at the end, m/s.
     pub max_speed: f64,
-    /// Root mean square speed over all bodies at the end, m/s.
+    /// Root mean square of the bodies' speeds at the end, m/s.
     pub rms_speed: f64,
-    /// Bodies frozen during this step because their state was not finite or ran away; they stay where they are.
+    /// Bodies frozen during this step because their state was not finite or ran away; they no longer
+    /// move.
     pub quarantined: Vec<BodyId>,
-    /// What the hand did, if there was one.
+    /// Report of the hand; none where there was no hand.
     pub hand: Option<HandReport>,
 }
 
-/// What the hand did at the end of a step.
+/// Force and torque of the hand at the end of a step.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Serialize)]
 pub struct HandReport {
-    /// Force of the hand on the body, N.
+    /// Force on the body, N.
     pub force: DVec3,
-    /// Torque of the hand on the body, N m.
+    /// Torque on the body, N m.
     pub torque: DVec3,
-    /// Whether the force was at its limit.
+    /// The force was at its limit.
     pub capped: bool,
-    /// Whether the torque was at its limit.
+    /// The torque was at its limit.
     pub torque_capped: bool,
-    /// The grasped point in the world, m.
+    /// Grasped point in the world, m.
     pub point: DVec3,
 }
 
-/// One loaded contact of a body, summed over its points.
+/// A loaded contact of a body, summed over its points.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 pub struct ContactReport {
-    /// The other body; none for the floor.
+    /// Other body; none for the floor.
     pub other: Option<BodyId>,
     /// Centre of the load, m.
     pub point: DVec3,
-    /// Direction in which it presses on this body.
+    /// Direction of the force on this body, unit vector.
     pub normal: DVec3,
     /// Normal force, N.
     pub force: f64,
 }
 
-/// A block of springs: where its particles are and how its springs pull.
+/// Particles and springs of a lattice block.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 pub struct LatticeReport {
-    /// Places in the world, m.
+    /// Positions in the world, m.
     pub particles: [DVec3; 8],
-    /// Forces of the springs, N: pulling is positive, pushing negative. In the order of the pairs of particles (0, 1), (0, 2), ... (6, 7).
+    /// Forces of the springs, N; tension is positive. In the order of the pairs of particles (0, 1),
+    /// (0, 2), ... (6, 7).
     pub forces: [f64; 28],
 }

@@ -1,0 +1,10 @@
+#![doc = include_str!("../README.md")]
+
+pub use glam::{DQuat, DVec3};
+pub use teeter_physics::{
+    AppliedForce, BodyId, BuildError, ContactReport, Drive, Grip, Hand, HandReport, Input, LatticeReport, POSE_STRIDE,
+    Params, Pose, Precision, REFERENCE_AREA, SnapshotError, StepReport, Twist, Width, World, restitution,
+};
+pub use teeter_scene as scene;
+pub use teeter_scene::{Block, Form, Scene, SceneError, TowerOptions};
+pub use teeter_study as study;
