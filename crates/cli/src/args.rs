@@ -8,7 +8,7 @@ use teeter_scene::{
     BlockPreset, Form, MAX_ROWS, Particles, SPRING_STIFFNESS, STIFFNESS, Scene, Springs, WOOD_RESTITUTION, WOOD_SPRINGS,
 };
 
-use crate::validate::Topic;
+use teeter_report::validation::Topic;
 
 /// A real-time simulator of the tower game Jenga, where contact and friction are springs.
 #[derive(Debug, Parser)]
@@ -223,7 +223,7 @@ pub struct Validate {
     #[arg(long, value_name = "DIR")]
     pub out: PathBuf,
     /// Only these parts of the report, with commas in between.
-    #[arg(long, value_delimiter = ',', value_name = "PARTS")]
+    #[arg(long, value_delimiter = ',', value_name = "PARTS", value_parser = topics())]
     pub only: Vec<Topic>,
     /// Low towers and few of them: shows in a minute that everything runs, not more.
     #[arg(long)]
@@ -267,7 +267,7 @@ pub struct ReportArgs {
     #[arg(long, value_name = "DIR")]
     pub out: PathBuf,
     /// Parts to run [default: all]; may be given several times.
-    #[arg(long, value_name = "PART", value_parser = crate::dissertation::part_names())]
+    #[arg(long, value_name = "PART", value_parser = teeter_report::dissertation::part_names())]
     pub only: Vec<String>,
 }
 
@@ -307,6 +307,14 @@ impl Engine {
         };
         Params { precision, sleep, ..Params::default() }
     }
+}
+
+/// Reads a part of the report by its name.
+fn topics() -> impl clap::builder::TypedValueParser<Value = Topic> {
+    use clap::builder::{PossibleValue, PossibleValuesParser, TypedValueParser};
+    let values = Topic::ALL.map(|topic| PossibleValue::new(topic.name()).help(topic.summary()));
+    PossibleValuesParser::new(values)
+        .map(|name| Topic::ALL.into_iter().find(|topic| topic.name() == name).expect("the parser admits only names"))
 }
 
 /// Reads a stiffness of springs, or the name of one.

@@ -27,6 +27,12 @@ impl From<clap::Error> for Fault {
     }
 }
 
+impl From<teeter_report::Error> for Fault {
+    fn from(error: teeter_report::Error) -> Self {
+        Fault::Said(error.to_string())
+    }
+}
+
 impl From<String> for Fault {
     fn from(message: String) -> Self {
         Fault::Said(message)

@@ -5,15 +5,11 @@ mod dissertation;
 mod fault;
 mod forces;
 mod input;
-mod labelled;
 mod output;
 mod play;
-mod predict;
 mod run;
 mod scenes;
 mod score;
-mod summary;
-mod tilt;
 mod validate;
 
 use std::process::ExitCode;

@@ -6,17 +6,17 @@ use std::path::Path;
 
 use indicatif::ParallelProgressIterator;
 use rayon::prelude::*;
+use teeter_report::score::{self, Labelled, Summary};
+use teeter_study::{Prediction, predict};
 
 use crate::args::Score;
 use crate::fault::Fault;
-use crate::labelled::{self, Labelled};
-use crate::output;
-use crate::predict::{Prediction, predict};
-use crate::summary::Summary;
+use crate::{input, output};
 
 /// Predicts every scene of a file, on all cores, in the file's order.
 pub fn main(args: Score) -> Result<(), Fault> {
-    let scenes: Vec<Labelled> = labelled::read(&args.scenes)?
+    let source = input::open(&args.scenes, score::MAX_TOTAL)?;
+    let scenes: Vec<Labelled> = score::read(source.reader, &source.name)?
         .into_iter()
         .map(|s| Labelled { scene: args.engine.material.applied(s.scene), ..s })
         .collect();
