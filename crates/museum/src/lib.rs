@@ -10,4 +10,4 @@ mod space;
 pub use plane::Plane;
 pub use space::Space;
 
-use teeter_failure::Failure;
+use teeter_wasm_support::Error;

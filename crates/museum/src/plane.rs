@@ -9,7 +9,7 @@ use teeter_dissertation::flat::{Method as Rigid, Rigid2D, Springs2D, constraint,
 use teeter_scene::TowerOptions;
 use wasm_bindgen::prelude::*;
 
-use crate::Failure;
+use crate::Error;
 
 /// Most blocks in a scene: the work grows with the square of their number.
 const MOST_BLOCKS: usize = 16;
@@ -117,8 +117,8 @@ impl Plane {
     /// Builds a scene: JSON of `{"method", "setting", "count", "gap", "stiffness"}`, the method `springs`, `constraint`, `penalty` or
     /// `micro-collisions`, the setting `stack`, `falling` or `tower`, the gap in m, the stiffness in N/m.
     #[wasm_bindgen(constructor)]
-    pub fn new(options: &str) -> Result<Plane, Failure> {
-        let options: Options = serde_json::from_str(options).map_err(|e| Failure::reading("options", e))?;
+    pub fn new(options: &str) -> Result<Plane, Error> {
+        let options: Options = serde_json::from_str(options).map_err(|e| Error::json("options", e))?;
         check(&options)?;
         let Options { method, setting, count, gap, stiffness } = options;
         let blocks = match setting {
@@ -126,7 +126,7 @@ impl Plane {
             Setting::Falling => stack(count, gap),
             Setting::Tower => {
                 let tower = TowerOptions { rows: 6, ..TowerOptions::default() };
-                section(&teeter_scene::tower(&tower).map_err(|e| Failure(e.to_string()))?)
+                section(&teeter_scene::tower(&tower).map_err(Error::rejected)?)
             }
         };
         let sizes = blocks.iter().map(|b| b.size).collect();
@@ -239,7 +239,7 @@ impl Plane {
     }
 
     /// What the steps did, as JSON; begins to count the most iterations anew.
-    pub fn report(&mut self) -> Result<String, Failure> {
+    pub fn report(&mut self) -> Result<String, Error> {
         self.counts.time = self.time;
         if let World::Rigid(world) = &self.world {
             let touches = world.touches(TOUCHING);
@@ -249,18 +249,18 @@ impl Plane {
             };
             self.counts.overlap = touches.iter().map(|t| t.point.depth).fold(0.0, f64::max);
         }
-        let text = serde_json::to_string(&self.counts).map_err(|e| Failure::reading("report", e))?;
+        let text = serde_json::to_string(&self.counts).map_err(|e| Error::json("report", e))?;
         self.counts.most = 0;
         Ok(text)
     }
 
     /// One more block, level, with its centre at (x, y) (m) and a velocity (m/s).
-    pub fn add(&mut self, x: f64, y: f64, vx: f64, vy: f64) -> Result<(), Failure> {
+    pub fn add(&mut self, x: f64, y: f64, vx: f64, vy: f64) -> Result<(), Error> {
         if self.sizes.len() >= MOST_BLOCKS {
-            return Err(Failure(format!("there are {MOST_BLOCKS} blocks, no more fit")));
+            return Err(Error::rejected(format!("there are {MOST_BLOCKS} blocks, no more fit")));
         }
         if ![x, y, vx, vy].iter().all(|v| v.is_finite()) {
-            return Err(Failure("a block needs a place and a velocity".into()));
+            return Err(Error::rejected("a block needs a place and a velocity"));
         }
         let one = stack(1, 0.0)[0];
         let block = Rectangle { centre: DVec2::new(x, y), ..one };
@@ -364,8 +364,8 @@ fn kind(method: Method) -> Option<Rigid> {
     }
 }
 
-fn check(options: &Options) -> Result<(), Failure> {
-    let refuse = |line: String| Err(Failure(line));
+fn check(options: &Options) -> Result<(), Error> {
+    let refuse = |line: String| Err(Error::Rejected(line));
     if !(1..=MOST_BLOCKS as u32).contains(&options.count) {
         return refuse(format!("`count` is {}, expected 1 to {MOST_BLOCKS}", options.count));
     }

@@ -11,7 +11,7 @@ use teeter_dissertation::jenga3d::{Constants, Disabling, Hand, HandMode, Jenga3D
 use teeter_scene::Scene;
 use wasm_bindgen::prelude::*;
 
-use crate::Failure;
+use crate::Error;
 use crate::fit;
 
 /// The 3-D simulator of 2003, owned and stepped by a worker.
@@ -94,15 +94,15 @@ impl Space {
     /// The blocks of a scene (JSON), by the usual constants; with `future` also what section 6.3 leaves for later: static friction, and rest
     /// by the motion of blocks as a whole.
     #[wasm_bindgen(constructor)]
-    pub fn new(scene: &str, future: bool) -> Result<Space, Failure> {
-        let scene = Scene::from_json(scene).map_err(|e| Failure(e.to_string()))?;
+    pub fn new(scene: &str, future: bool) -> Result<Space, Error> {
+        let scene = Scene::from_json(scene).map_err(Error::rejected)?;
         let usual = Constants { friction: scene.friction, gravity: scene.gravity, ..Constants::default() };
         let constants = if future {
             Constants { static_friction: Some(scene.friction), disabling: Disabling::Rigid, ..usual }
         } else {
             usual
         };
-        let jenga = Jenga3D::new(&scene, constants).map_err(|e| Failure(e.to_string()))?;
+        let jenga = Jenga3D::new(&scene, constants).map_err(Error::rejected)?;
         let ends: Vec<[u32; 2]> = jenga.model.springs[..SPRINGS].iter().map(|s| [s.p1, s.p2]).collect();
         let pairs = (0..CORNERS as u32).flat_map(|a| (a + 1..CORNERS as u32).map(move |b| [a, b]));
         let mut order = [0; SPRINGS];
@@ -117,21 +117,21 @@ impl Space {
 
     /// Advances by a sixtieth of a second under a hand (JSON of `{"body", "target"}`: where the block's centre is wanted, m; empty text for
     /// none), and gives the report as JSON. A hand on a block that does not exist is an error, and everything stays as it was.
-    pub fn step(&mut self, hand: &str) -> Result<String, Failure> {
+    pub fn step(&mut self, hand: &str) -> Result<String, Error> {
         let grasp: Option<Grasp> = if hand.trim().is_empty() {
             None
         } else {
-            Some(serde_json::from_str(hand).map_err(|e| Failure::reading("hand", e))?)
+            Some(serde_json::from_str(hand).map_err(|e| Error::json("hand", e))?)
         };
         if let Some(grasp) = &grasp {
             self.check(grasp.body)?;
             if !grasp.target.iter().all(|x| x.is_finite()) {
-                return Err(Failure("hand: `target` is no place".into()));
+                return Err(Error::rejected("hand: `target` is no place"));
             }
         }
         let hand = grasp.map(|g| Hand { block: g.body, target: g.target.into() });
         let report = self.frame(hand.as_ref());
-        serde_json::to_string(&report).map_err(|e| Failure::reading("report", e))
+        serde_json::to_string(&report).map_err(|e| Error::json("report", e))
     }
 
     /// Where the poses lie in wasm memory: seven doubles a block, position (m) and orientation (x, y, z, w) of the rigid block nearest to the
@@ -169,7 +169,7 @@ impl Space {
     }
 
     /// The contacts of a block in the mean over the last frame as JSON: `[{"other", "point", "normal", "force"}]`.
-    pub fn contacts(&self, body: u32) -> Result<String, Failure> {
+    pub fn contacts(&self, body: u32) -> Result<String, Error> {
         self.check(body)?;
         let steps = f64::from(self.jenga.constants.mid_loop_count);
         let contacts: Vec<Contact> = self
@@ -186,7 +186,7 @@ impl Space {
                 }
             })
             .collect();
-        serde_json::to_string(&contacts).map_err(|e| Failure::reading("contacts", e))
+        serde_json::to_string(&contacts).map_err(|e| Error::json("contacts", e))
     }
 
     /// Simulated time, s.
@@ -202,12 +202,12 @@ impl Space {
 }
 
 impl Space {
-    fn check(&self, body: u32) -> Result<(), Failure> {
+    fn check(&self, body: u32) -> Result<(), Error> {
         let count = self.length();
         if (body as usize) < count {
             Ok(())
         } else {
-            Err(Failure(format!("there is no block {body}: the tower has {count}")))
+            Err(Error::rejected(format!("there is no block {body}: the tower has {count}")))
         }
     }
 

@@ -9,4 +9,4 @@ mod simulation;
 pub use scenes::{named_scene, scene_list, tower_scene};
 pub use simulation::Simulation;
 
-use teeter_failure::Failure;
+use teeter_wasm_support::Error;

@@ -4,20 +4,21 @@ use serde::Serialize;
 use teeter_scene::{NAMED, TowerOptions};
 use wasm_bindgen::prelude::*;
 
-use crate::Failure;
+use crate::Error;
 
 /// A tower as scene JSON. `options` is the JSON of [`TowerOptions`]; a field that is absent keeps its usual value.
 #[wasm_bindgen(js_name = towerScene)]
-pub fn tower_scene(options: &str) -> Result<String, Failure> {
-    let options: TowerOptions = serde_json::from_str(options).map_err(|e| Failure::reading("tower options", e))?;
-    let scene = teeter_scene::tower(&options).map_err(|e| Failure(e.to_string()))?;
+pub fn tower_scene(options: &str) -> Result<String, Error> {
+    let options: TowerOptions = serde_json::from_str(options).map_err(|e| Error::json("tower options", e))?;
+    let scene = teeter_scene::tower(&options).map_err(Error::rejected)?;
     Ok(scene.to_json())
 }
 
 /// A scene of the list as scene JSON.
 #[wasm_bindgen(js_name = namedScene)]
-pub fn named_scene(name: &str) -> Result<String, Failure> {
-    let scene = teeter_scene::named(name).ok_or_else(|| Failure(format!("there is no scene called `{name}`")))?;
+pub fn named_scene(name: &str) -> Result<String, Error> {
+    let scene =
+        teeter_scene::named(name).ok_or_else(|| Error::rejected(format!("there is no scene called `{name}`")))?;
     Ok(scene.to_json())
 }
 

@@ -6,7 +6,7 @@ use teeter_scene::{Form, Scene, Springs};
 use teeter_study::{Load, xray};
 use wasm_bindgen::prelude::*;
 
-use crate::Failure;
+use crate::Error;
 
 /// A world that a worker owns and steps.
 #[wasm_bindgen]
@@ -22,25 +22,25 @@ pub struct Simulation {
 impl Simulation {
     /// Builds a world from a scene (JSON) and the constants of the run (JSON of [`Params`]; empty text for the usual ones).
     #[wasm_bindgen(constructor)]
-    pub fn new(scene: &str, params: &str) -> Result<Simulation, Failure> {
-        let scene = Scene::from_json(scene).map_err(|e| Failure(e.to_string()))?;
+    pub fn new(scene: &str, params: &str) -> Result<Simulation, Error> {
+        let scene = Scene::from_json(scene).map_err(Error::rejected)?;
         let params: Params = if params.trim().is_empty() {
             Params::default()
         } else {
-            serde_json::from_str(params).map_err(|e| Failure::reading("parameters", e))?
+            serde_json::from_str(params).map_err(|e| Error::json("parameters", e))?
         };
-        let world = World::new(&scene, params).map_err(|e| Failure(e.to_string()))?;
+        let world = World::new(&scene, params).map_err(Error::rejected)?;
         Ok(Self { world, friction: scene.friction, lattices: Vec::new() })
     }
 
     /// Advances by one frame under `input` (JSON of [`Input`]; empty text for none) and gives the report as JSON.
     ///
     /// A hand, force or drive on a body that does not exist is an error, and the world stays as it was.
-    pub fn step(&mut self, input: &str) -> Result<String, Failure> {
+    pub fn step(&mut self, input: &str) -> Result<String, Error> {
         let input: Input = if input.trim().is_empty() {
             Input::default()
         } else {
-            serde_json::from_str(input).map_err(|e| Failure::reading("input", e))?
+            serde_json::from_str(input).map_err(|e| Error::json("input", e))?
         };
         let bodies = input
             .hand
@@ -52,7 +52,7 @@ impl Simulation {
             self.check(body.0)?;
         }
         let report = self.world.step(&input);
-        serde_json::to_string(&report).map_err(|e| Failure::reading("report", e))
+        serde_json::to_string(&report).map_err(|e| Error::json("report", e))
     }
 
     /// Where the poses lie in wasm memory: seven doubles a body, position (m) and orientation (x, y, z, w). Any later call may move them, so make the view anew.
@@ -73,13 +73,13 @@ impl Simulation {
     }
 
     /// The loaded contacts of a body as JSON: `[{"other", "point", "normal", "force"}]`.
-    pub fn contacts(&self, body: u32) -> Result<String, Failure> {
+    pub fn contacts(&self, body: u32) -> Result<String, Error> {
         let body = self.check(body)?;
-        serde_json::to_string(&self.world.contacts(body)).map_err(|e| Failure::reading("contacts", e))
+        serde_json::to_string(&self.world.contacts(body)).map_err(|e| Error::json("contacts", e))
     }
 
     /// Whether a body sleeps.
-    pub fn asleep(&self, body: u32) -> Result<bool, Failure> {
+    pub fn asleep(&self, body: u32) -> Result<bool, Error> {
         let body = self.check(body)?;
         Ok(self.world.is_asleep(body))
     }
@@ -95,8 +95,8 @@ impl Simulation {
     }
 
     /// Takes back a state of the same scene and constants. Bytes that are none leave the world as it was.
-    pub fn restore(&mut self, bytes: &[u8]) -> Result<(), Failure> {
-        self.world.restore(bytes).map_err(|e| Failure(e.to_string()))
+    pub fn restore(&mut self, bytes: &[u8]) -> Result<(), Error> {
+        self.world.restore(bytes).map_err(Error::rejected)
     }
 
     /// Stiffness of the scene, N/m.
@@ -120,9 +120,9 @@ impl Simulation {
     /// Makes the blocks of another form (JSON of `{"form", "springs"}` as in a scene) where they are and as they move. What cannot be leaves the
     /// world as it was.
     #[wasm_bindgen(js_name = setForm)]
-    pub fn set_form(&mut self, form: &str) -> Result<(), Failure> {
-        let Blocks { form, springs } = serde_json::from_str(form).map_err(|e| Failure::reading("form", e))?;
-        self.world.set_form(form, springs).map_err(|e| Failure(e.to_string()))
+    pub fn set_form(&mut self, form: &str) -> Result<(), Error> {
+        let Blocks { form, springs } = serde_json::from_str(form).map_err(|e| Error::json("form", e))?;
+        self.world.set_form(form, springs).map_err(Error::rejected)
     }
 
     /// Writes down the particles and springs of all bodies and says where they lie in wasm memory: 52 floats a body, the places of its 8
@@ -152,8 +152,8 @@ impl Simulation {
         self.world.time()
     }
 
-    fn check(&self, body: u32) -> Result<BodyId, Failure> {
-        let unknown = || Failure(format!("there is no body {body}: the world has {}", self.world.len()));
+    fn check(&self, body: u32) -> Result<BodyId, Error> {
+        let unknown = || Error::rejected(format!("there is no body {body}: the world has {}", self.world.len()));
         self.world.body(body).ok_or_else(unknown)
     }
 }
