@@ -1,93 +1,106 @@
-//! What can be wrong with a scene, said in one line each.
+//! Errors of scenes, one line each.
 
-/// Why there is no scene.
+/// Error of reading, checking or building a scene.
+///
+/// ```
+/// use teeter_scene::{SceneError, TowerOptions, config};
+///
+/// let error = config("(010)-(000)", &TowerOptions::exact()).unwrap_err();
+/// assert!(matches!(error, SceneError::Notation { row: 2, .. }));
+/// ```
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 pub enum SceneError {
-    /// Nothing was read.
+    /// Input without a single character.
     #[error("the scene is empty, expected JSON")]
     Empty,
-    /// More was offered than is read.
+    /// Input above the limit of size.
     #[error("the scene is larger than {limit_mb} MB, the most that is read")]
     TooLarge {
-        /// The most that is read, MB.
+        /// Maximum size, MB.
         limit_mb: u64,
     },
-    /// The bytes are no text.
+    /// Input that is not UTF-8, with the index of the first byte that is not.
     #[error("the scene is not text: byte {0} is not UTF-8")]
     NotUtf8(usize),
-    /// The reader failed.
+    /// Failure of the reader.
     #[error("the scene cannot be read: {0}")]
     Read(String),
-    /// The text is no JSON, or lacks something that a scene has.
-    #[error("{place}{message} (line {line}, column {column})")]
+    /// Text that is not JSON, or lacks a field.
+    #[error("{location}{message} (line {line}, column {column})")]
     Json {
-        /// Which part of the scene, with a colon and a space; empty where that is not known.
-        place: String,
-        /// What was found and what was expected.
+        /// Part of the scene, followed by a colon and a space; empty where it is unknown.
+        location: String,
+        /// Value found and value expected.
         message: String,
         /// Line of the text, from 1.
         line: usize,
         /// Column of the line, from 1.
         column: usize,
     },
-    /// The text is JSON but no object.
+    /// JSON other than an object.
     #[error("the scene is {0}, expected a JSON object with `name`, `friction` and `blocks`")]
     NotObject(&'static str),
-    /// A value of the whole scene is out of its range.
+    /// Field of the scene out of its range.
     #[error("`{field}` is {value}, expected {expected}")]
     Field {
-        /// Which one.
+        /// Name of the field.
         field: &'static str,
-        /// What it was.
+        /// Value found.
         value: String,
-        /// What it should be.
+        /// Range expected.
         expected: String,
     },
-    /// A value of a block is out of its range.
+    /// Field of a block out of its range.
     #[error("block {id}: `{field}` is {value}, expected {expected}")]
     Block {
-        /// The block's id.
+        /// Id of the block.
         id: u32,
-        /// Which value.
+        /// Name of the field.
         field: &'static str,
-        /// What it was.
+        /// Value found.
         value: String,
-        /// What it should be.
+        /// Range expected.
         expected: String,
     },
-    /// Two blocks have the same id.
+    /// Id of two blocks.
     #[error(
         "block {id}: `id` is used twice, by the blocks at places {first} and {second} of the list, expected one block an id"
     )]
     DuplicateId {
-        /// The id.
+        /// Shared id.
         id: u32,
-        /// Place of the first in the list, from 0.
+        /// Index of the first block in the list.
         first: usize,
-        /// Place of the second in the list, from 0.
+        /// Index of the second block in the list.
         second: usize,
     },
-    /// Two blocks are inside each other.
+    /// Two blocks inside each other.
     #[error("blocks {a} and {b}: `pos` makes them overlap by {depth_mm:.3} mm, expected at most 0.001 mm")]
     Overlap {
-        /// Id of the first.
+        /// Id of the first block.
         a: u32,
-        /// Id of the second.
+        /// Id of the second block.
         b: u32,
-        /// Least distance that would part them, mm.
+        /// Minimum distance that separates them, mm.
         depth_mm: f64,
     },
-    /// A configuration such as `(010)-(011)` cannot be read.
+    /// Configuration that does not follow the notation, such as `(010)-(0)`.
     #[error("row {row} of the configuration is `{text}`, expected {expected}")]
     Notation {
-        /// Which row, the bottom one being 1.
+        /// Row, the bottom one being 1.
         row: usize,
-        /// What it was.
+        /// Text of the row.
         text: String,
-        /// What it should be.
+        /// Form expected.
         expected: &'static str,
     },
-    /// There is no such preset of a block.
+    /// Name of no block preset.
     #[error("there is no block `{0}`, expected `dissertation` or `official`")]
     UnknownPreset(String),
+    /// Name of no block form.
+    #[error("expected rigid or lattice")]
+    UnknownForm,
+    /// Name of no arrangement of particles.
+    #[error("expected inside or corners")]
+    UnknownParticles,
 }

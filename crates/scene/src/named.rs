@@ -1,20 +1,31 @@
-//! THE list of scenes: the shell, the page, tests and benchmarks take theirs from here.
+//! List of named scenes, shared by the shell, the page, tests and benchmarks.
 
 use std::fmt;
 
 use serde::{Deserialize, Serialize};
 
+use crate::error::SceneError;
+use crate::form::{Form, Springs};
+use crate::overlap;
+use crate::preset::BlockPreset;
 use crate::random::Random;
+use crate::scene::{Block, Scene, default_stiffness, standard_gravity};
 use crate::tower::{self, TowerOptions, WOOD_RESTITUTION, tower};
-use crate::{Block, BlockPreset, Form, Scene, Springs, overlap, standard_gravity, usual_stiffness};
 
-/// Whether a tower stands.
+/// Exact answer for a tower of rigid blocks.
+///
+/// ```
+/// use teeter_scene::{NAMED, Verdict};
+///
+/// let test_2 = NAMED.iter().find(|scene| scene.name == "test-2").expect("the list has it");
+/// assert_eq!(test_2.expect, Some(Verdict::Unstable));
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "lowercase")]
 pub enum Verdict {
-    /// It stands.
+    /// The tower stands.
     Stable,
-    /// It falls.
+    /// The tower falls.
     Unstable,
 }
 
@@ -27,21 +38,27 @@ impl fmt::Display for Verdict {
     }
 }
 
-/// A scene with a name.
+/// Entry of the list of scenes.
+///
+/// ```
+/// for entry in teeter_scene::NAMED {
+///     assert_eq!(entry.scene().name, entry.name);
+/// }
+/// ```
 #[derive(Debug, Clone, Copy)]
 pub struct NamedScene {
-    /// What it is called.
+    /// Name of the scene.
     pub name: &'static str,
-    /// What it shows.
+    /// Title: one line for the reader of the list.
     pub title: &'static str,
-    /// The exact answer for rigid blocks, where there is one.
+    /// Exact answer for rigid blocks, where there is one.
     pub expect: Option<Verdict>,
-    /// Builds it, without the name and the label.
+    /// Builder of the scene without its name and label.
     build: fn() -> Scene,
 }
 
 impl NamedScene {
-    /// The scene.
+    /// Builds the scene.
     pub fn scene(&self) -> Scene {
         Scene { name: self.name.to_owned(), label: self.expect.map(|v| v.to_string()), ..(self.build)() }
     }
@@ -53,13 +70,13 @@ const fn entry(name: &'static str, title: &'static str, expect: Option<Verdict>,
     NamedScene { name, title, expect, build }
 }
 
-/// All named scenes.
+/// Named scenes.
 pub const NAMED: &[NamedScene] = &[
     entry("tower", "the tower of 18 rows that a game begins with", Some(Stable), || {
-        known(tower(&TowerOptions::default()))
+        valid(tower(&TowerOptions::default()))
     }),
     entry("official", "the same in blocks of 75 x 25 x 15 mm", Some(Stable), || {
-        known(tower(&TowerOptions { block: BlockPreset::Official, ..TowerOptions::default() }))
+        valid(tower(&TowerOptions { block: BlockPreset::Official, ..TowerOptions::default() }))
     }),
     entry("midgame", "a tower in the middle of a game, put together by hand", Some(Stable), midgame),
     entry("test-1", "(010)-(010)-(010)-(010)-(010)-(010), the dissertation's first static test", Some(Stable), || {
@@ -85,48 +102,54 @@ pub const NAMED: &[NamedScene] = &[
         exact("(010)-(010)-(011)-(010)-(001)")
     }),
     entry("loose", "six full rows with the loose blocks (L00)-(00L)-(00L)-(0L0)-(L0L)-(LLL)", Some(Stable), || {
-        known(tower::loose("(L00)-(00L)-(00L)-(0L0)-(L0L)-(LLL)", &TowerOptions::exact()))
+        valid(tower::loose("(L00)-(00L)-(00L)-(0L0)-(L0L)-(LLL)", &TowerOptions::exact()))
     }),
     entry("block", "one block on the floor", Some(Stable), || stack(1)),
     entry("column", "ten blocks, one upon the other", Some(Stable), || stack(10)),
     entry("field", "five towers of eight rows, too far apart to touch", Some(Stable), || {
-        known(tower::field(5, &TowerOptions { rows: 8, ..TowerOptions::default() }))
+        valid(tower::field(5, &TowerOptions { rows: 8, ..TowerOptions::default() }))
     }),
     entry("pile", "forty blocks let fall", None, pile),
 ];
 
-/// The scene of that name.
+/// Returns the scene of the list with this name.
+///
+/// ```
+/// assert_eq!(teeter_scene::named("tower").map(|scene| scene.blocks.len()), Some(54));
+/// assert_eq!(teeter_scene::named("castle"), None);
+/// ```
 pub fn named(name: &str) -> Option<Scene> {
     NAMED.iter().find(|n| n.name == name).map(NamedScene::scene)
 }
 
-fn known(built: Result<Scene, crate::SceneError>) -> Scene {
-    built.expect("a scene of the list is valid, which a test makes sure of")
+fn valid(built: Result<Scene, SceneError>) -> Scene {
+    built.expect("every scene of the list is valid")
 }
 
 fn exact(text: &str) -> Scene {
-    known(tower::config(text, &TowerOptions::exact()))
+    valid(tower::config(text, &TowerOptions::exact()))
 }
 
-/// The dissertation's second test with its top block moved outwards by `out`, m.
+/// Second static test of the dissertation with its top block moved outwards by `out`, m.
 ///
-/// The middle block and the top one balance on the inner edge of the bottom one, 13.7 mm from the axis, where their centre of mass is
-/// 27.1 / 2 = 13.55 mm from it: the real tower stood, for its top block lay a hair further out.
+/// The middle block and the top one balance on the inner edge of the bottom one, 13.7 mm from the
+/// axis; their centre of mass is 27.1 / 2 = 13.55 mm from it. The real tower stood because its top
+/// block lay slightly further out.
 fn test_2(out: f64) -> Scene {
     let mut scene = exact("(001)-(010)-(001)");
     scene.blocks[2].pos[1] += out;
     scene
 }
 
-/// Blocks of nominal size on a floor, friction 0.4.
-fn blocks(blocks: Vec<Block>) -> Scene {
+/// Scene of blocks of nominal size with friction 0.4.
+fn scene_of(blocks: Vec<Block>) -> Scene {
     Scene {
         name: String::new(),
         gravity: standard_gravity(),
         friction: 0.4,
         kinetic_friction: None,
         restitution: WOOD_RESTITUTION,
-        stiffness: usual_stiffness(),
+        stiffness: default_stiffness(),
         form: Form::default(),
         springs: Springs::default(),
         blocks,
@@ -141,50 +164,50 @@ fn nominal(id: u32, pos: [f64; 3], yaw: f64) -> Block {
     Block { id, size: preset.size(), mass: preset.mass(), pos, yaw }
 }
 
-/// `n` blocks one upon the other, all along x.
+/// Stack of `n` blocks, all along x.
 fn stack(n: u32) -> Scene {
     let height = BlockPreset::Dissertation.size()[2];
-    blocks((0..n).map(|i| nominal(i, [0.0, 0.0, height * (f64::from(i) + 0.5)], 0.0)).collect())
+    scene_of((0..n).map(|i| nominal(i, [0.0, 0.0, height * (f64::from(i) + 0.5)], 0.0)).collect())
 }
 
-/// Blocks in the air above each other, each turned and shifted at random.
+/// Blocks in the air above each other, each turned and offset at random.
 fn pile() -> Scene {
     let mut random = Random::new(1);
-    let fall = |i: u32| {
-        let mut aside = || 0.03 * (2.0 * random.uniform() - 1.0);
-        let pos = [aside(), aside(), 0.03 + 0.025 * f64::from(i)];
+    let drop = |i: u32| {
+        let mut offset = || 0.03 * (2.0 * random.uniform() - 1.0);
+        let pos = [offset(), offset(), 0.03 + 0.025 * f64::from(i)];
         nominal(i, pos, std::f64::consts::PI * random.uniform())
     };
-    blocks((0..40).map(fall).collect())
+    scene_of((0..40).map(drop).collect())
 }
 
-/// How deep blocks that touch may seem to be inside each other, m.
+/// Maximum apparent penetration of touching blocks, m.
 const ROUNDING: f64 = 1e-12;
 
-/// Blocks taken from the lower rows and put on top, none of them laid quite straight.
+/// Tower with blocks moved from the lower rows to the top, none of them quite straight.
 fn midgame() -> Scene {
     let text = "(111)-(101)-(111)-(110)-(101)-(011)-(111)-(010)-(111)-(101)-(111)-(110)-(101)-(111)-(011)-(111)-(101)-(111)-(111)-(111)-(011)";
-    let mut scene = known(tower::config(text, &TowerOptions { seed: 2, ..TowerOptions::default() }));
+    let mut scene = valid(tower::config(text, &TowerOptions { seed: 2, ..TowerOptions::default() }));
     let mut random = Random::new(2);
     for i in 0..scene.blocks.len() {
         let straight = scene.blocks[i].clone();
         let along_x = straight.yaw == 0.0;
-        let mut slop = 1.0;
+        let mut scatter = 1.0;
         loop {
             let (along, across, turn) =
                 (random.clipped_normal(2.0), random.clipped_normal(2.0), random.clipped_normal(2.0));
-            let (along, across) = (1e-3 * slop * along, 0.5e-3 * slop * across);
+            let (along, across) = (1e-3 * scatter * along, 0.5e-3 * scatter * across);
             let (dx, dy) = if along_x { (along, across) } else { (across, along) };
             let block = &mut scene.blocks[i];
             block.pos = [straight.pos[0] + dx, straight.pos[1] + dy, straight.pos[2]];
-            block.yaw = straight.yaw + 0.01 * slop * turn;
-            // Also clear of the straight places of those that come after, so that each finds its own free.
+            block.yaw = straight.yaw + 0.01 * scatter * turn;
+            // Must clear the straight poses of later blocks too, so that theirs remain free.
             let moved = &scene.blocks[i];
             if scene.blocks.iter().all(|other| other.id == moved.id || overlap::depth(other, moved) < ROUNDING) {
                 break;
             }
-            // A narrow place takes a straighter hand.
-            slop *= 0.9;
+            // Straighten until the gap is wide enough.
+            scatter *= 0.9;
         }
     }
     scene

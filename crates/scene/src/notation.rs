@@ -1,26 +1,47 @@
-//! The notation of the dissertation's section 6.1: (010)-(010)-(011), bottom row first, columns 0, 1, 2 from left to right.
+//! Notation of section 6.1 of the dissertation: (010)-(010)-(011), bottom row first, columns 0, 1
+//! and 2 from left to right.
 
 use std::fmt;
 use std::str::FromStr;
 
-use crate::tower::{self, MAX_ROWS};
-use crate::{Scene, SceneError, TowerOptions};
+use crate::error::SceneError;
 
-/// What is in one place of a row.
+/// Maximum number of rows of a tower.
+pub const MAX_ROWS: u32 = 200;
+
+/// Cell of a row.
+///
+/// ```
+/// use teeter_scene::{Cell, Notation};
+///
+/// let notation: Notation = "(01L)".parse()?;
+/// assert_eq!(notation.rows[0], [Cell::Absent, Cell::Present, Cell::Loose]);
+/// # Ok::<(), teeter_scene::SceneError>(())
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Cell {
-    /// Nothing; written 0.
+    /// No block, `0`.
     Absent,
-    /// A block; written 1.
+    /// Block, `1`.
     Present,
-    /// A block that is lower than the others by [`tower::LOOSE_BY`], and carries nothing; written L.
+    /// Block lower than the others by [`LOOSE_CLEARANCE`](crate::LOOSE_CLEARANCE), `L`; it carries
+    /// nothing.
     Loose,
 }
 
-/// Which blocks of a tower are there.
+/// Blocks of a tower, row by row.
 ///
-/// Parsed from `(010)-(1L1)`: 1 is a block, 0 is none, `L` is a loose block. Every row has at least one block, for a row of none cannot carry the
-/// next. The dissertation's maps of loose blocks use 0 in another sense: see [`Notation::from_loose_map`].
+/// `(010)-(1L1)` has no block at `0`, a block at `1` and a loose block at `L`. Every row has at
+/// least one block, because an empty row cannot carry the next. The dissertation's maps of loose
+/// blocks use `0` differently, see [`Notation::from_loose_map`].
+///
+/// ```
+/// use teeter_scene::Notation;
+///
+/// let notation: Notation = "(010)-(1l1)".parse()?;
+/// assert_eq!(notation.to_string(), "(010)-(1L1)");
+/// # Ok::<(), teeter_scene::SceneError>(())
+/// ```
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Notation {
     /// Rows, bottom row first.
@@ -28,21 +49,20 @@ pub struct Notation {
 }
 
 impl Notation {
-    /// A full tower of which `(L00)-(00L)` names the loose blocks: `L` is a loose block and 0 an ordinary one.
+    /// Parses a map of loose blocks such as `(L00)-(00L)`: a full tower where `L` is a loose block
+    /// and `0` an ordinary one.
+    ///
+    /// # Errors
+    /// Names the first row that is not three of `0` and `L` in brackets.
     pub fn from_loose_map(text: &str) -> Result<Self, SceneError> {
         let expected = "three of 0 (ordinary) and L (loose) in brackets, such as (0L0)";
         Ok(Self {
-            rows: split(text, expected, |c| match c {
+            rows: parse_rows(text, expected, |c| match c {
                 '0' => Some(Cell::Present),
                 'L' | 'l' => Some(Cell::Loose),
                 _ => None,
             })?,
         })
-    }
-
-    /// The tower of these blocks.
-    pub fn scene(&self, options: &TowerOptions) -> Result<Scene, SceneError> {
-        tower::build(&self.to_string(), &self.rows, options)
     }
 }
 
@@ -51,7 +71,7 @@ impl FromStr for Notation {
 
     fn from_str(text: &str) -> Result<Self, SceneError> {
         let expected = "three of 0 (none), 1 (block) and L (loose block) in brackets, such as (011)";
-        let rows = split(text, expected, |c| match c {
+        let rows = parse_rows(text, expected, |c| match c {
             '0' => Some(Cell::Absent),
             '1' => Some(Cell::Present),
             'L' | 'l' => Some(Cell::Loose),
@@ -87,7 +107,7 @@ impl fmt::Display for Notation {
     }
 }
 
-fn split(
+fn parse_rows(
     text: &str,
     expected: &'static str,
     cell: impl Fn(char) -> Option<Cell>,
@@ -95,20 +115,20 @@ fn split(
     let mut rows = Vec::new();
     for (i, part) in text.split('-').enumerate() {
         let part = part.trim();
-        let wrong = |expected| SceneError::Notation { row: i + 1, text: shortened(part), expected };
+        let error = |expected| SceneError::Notation { row: i + 1, text: truncate(part), expected };
         if i as u32 >= MAX_ROWS {
-            return Err(wrong("at most 200 rows"));
+            return Err(error("at most 200 rows"));
         }
-        let inner = part.strip_prefix('(').and_then(|p| p.strip_suffix(')')).ok_or_else(|| wrong(expected))?;
+        let inner = part.strip_prefix('(').and_then(|p| p.strip_suffix(')')).ok_or_else(|| error(expected))?;
         let cells: Vec<Cell> =
-            inner.chars().take(4).map(&cell).collect::<Option<_>>().ok_or_else(|| wrong(expected))?;
-        rows.push(cells.try_into().map_err(|_| wrong(expected))?);
+            inner.chars().take(4).map(&cell).collect::<Option<_>>().ok_or_else(|| error(expected))?;
+        rows.push(cells.try_into().map_err(|_| error(expected))?);
     }
     Ok(rows)
 }
 
-/// The start of a text that may be of any length.
-fn shortened(text: &str) -> String {
-    const MOST: usize = 20;
-    if text.chars().count() <= MOST { text.to_owned() } else { text.chars().take(MOST).chain("...".chars()).collect() }
+/// Truncates a text of any length for an error message.
+fn truncate(text: &str) -> String {
+    const MAX: usize = 20;
+    if text.chars().count() <= MAX { text.to_owned() } else { text.chars().take(MAX).chain("...".chars()).collect() }
 }

@@ -1,11 +1,12 @@
-//! Whether upright blocks are inside each other.
+//! Overlap of upright blocks.
 //!
-//! Blocks that are only turned about the vertical are rectangles in plan times an interval in height. Rectangles are parted by the separating
-//! axis test on their four edge directions, so the depth found here is exact: the least distance that parts the two blocks.
+//! A block that turns only about the vertical is a rectangle in plan times an interval in height.
+//! The separating axis test on the four edge directions in plan and the vertical is exact for such
+//! blocks.
 
-use crate::Block;
+use crate::scene::Block;
 
-/// A block's plan and height.
+/// Plan and swept bounds of a block.
 struct Prism {
     /// Unit vectors along length and width.
     axes: [[f64; 2]; 2],
@@ -13,23 +14,24 @@ struct Prism {
     half: [f64; 2],
     /// Centre in plan, m.
     centre: [f64; 2],
-    /// Interval that it covers along x, y and z, m.
-    low: [f64; 3],
-    high: [f64; 3],
+    /// Minimum of the bounds along x, y and z, m.
+    min: [f64; 3],
+    /// Maximum of the bounds along x, y and z, m.
+    max: [f64; 3],
 }
 
 impl Prism {
     fn new(b: &Block) -> Self {
         let (s, c) = libm::sincos(b.yaw);
         let half = [b.size[0] / 2.0, b.size[1] / 2.0];
-        let reach = [c.abs() * half[0] + s.abs() * half[1], s.abs() * half[0] + c.abs() * half[1], b.size[2] / 2.0];
-        let low = std::array::from_fn(|k| b.pos[k] - reach[k]);
-        let high = std::array::from_fn(|k| b.pos[k] + reach[k]);
-        Self { axes: [[c, s], [-s, c]], half, centre: [b.pos[0], b.pos[1]], low, high }
+        let extent = [c.abs() * half[0] + s.abs() * half[1], s.abs() * half[0] + c.abs() * half[1], b.size[2] / 2.0];
+        let min = std::array::from_fn(|k| b.pos[k] - extent[k]);
+        let max = std::array::from_fn(|k| b.pos[k] + extent[k]);
+        Self { axes: [[c, s], [-s, c]], half, centre: [b.pos[0], b.pos[1]], min, max }
     }
 
-    /// Half the width of the plan's shadow on a unit vector, m.
-    fn reach(&self, axis: [f64; 2]) -> f64 {
+    /// Half the width of the plan's projection on a unit vector, m.
+    fn half_width(&self, axis: [f64; 2]) -> f64 {
         self.half[0] * dot(self.axes[0], axis).abs() + self.half[1] * dot(self.axes[1], axis).abs()
     }
 }
@@ -38,42 +40,54 @@ fn dot(a: [f64; 2], b: [f64; 2]) -> f64 {
     a[0] * b[0] + a[1] * b[1]
 }
 
-fn depth_of(a: &Prism, b: &Prism) -> f64 {
-    let mut least = (a.high[2].min(b.high[2])) - (a.low[2].max(b.low[2]));
+fn prism_depth(a: &Prism, b: &Prism) -> f64 {
+    let mut depth = (a.max[2].min(b.max[2])) - (a.min[2].max(b.min[2]));
     let between = [b.centre[0] - a.centre[0], b.centre[1] - a.centre[1]];
     for axis in [a.axes[0], a.axes[1], b.axes[0], b.axes[1]] {
-        least = least.min(a.reach(axis) + b.reach(axis) - dot(between, axis).abs());
+        depth = depth.min(a.half_width(axis) + b.half_width(axis) - dot(between, axis).abs());
     }
-    least
+    depth
 }
 
-/// The least distance that would part two blocks, m; negative where they are apart (then it is no distance).
+/// Returns the penetration depth of two blocks, m: the minimum distance that separates them.
+///
+/// A negative value means that they are apart; it is then not a distance.
+///
+/// ```
+/// use teeter_scene::{Block, overlap};
+///
+/// let a = Block { id: 0, size: [0.08, 0.03, 0.02], mass: 0.02, pos: [0.0, 0.0, 0.01], yaw: 0.0 };
+/// let b = Block { id: 1, pos: [0.0, 0.0, 0.029], ..a.clone() };
+/// assert!((overlap::depth(&a, &b) - 0.001).abs() < 1e-12);
+/// ```
 pub fn depth(a: &Block, b: &Block) -> f64 {
-    depth_of(&Prism::new(a), &Prism::new(b))
+    prism_depth(&Prism::new(a), &Prism::new(b))
 }
 
-/// The first two blocks, in order of creation, that are inside each other by more than `tolerance`, and by how much (m).
-pub fn first(blocks: &[Block], tolerance: f64) -> Option<(usize, usize, f64)> {
+/// Finds the first two blocks, in order of creation, that penetrate by more than `tolerance` (m).
+/// Returns their indices and the depth (m).
+pub fn first_pair(blocks: &[Block], tolerance: f64) -> Option<(usize, usize, f64)> {
     let prisms: Vec<Prism> = blocks.iter().map(Prism::new).collect();
-    // Swept along the axis on which the blocks are spread furthest: few then share an interval, be they a column or a field.
+    // Sweep along the axis of the largest extent: few intervals overlap there, in a column and in a
+    // field.
     let spread = |k: usize| {
-        let high = prisms.iter().map(|p| p.high[k]).fold(f64::NEG_INFINITY, f64::max);
-        high - prisms.iter().map(|p| p.low[k]).fold(f64::INFINITY, f64::min)
+        let max = prisms.iter().map(|p| p.max[k]).fold(f64::NEG_INFINITY, f64::max);
+        max - prisms.iter().map(|p| p.min[k]).fold(f64::INFINITY, f64::min)
     };
     let along = (0..3).max_by(|&a, &b| spread(a).total_cmp(&spread(b))).unwrap_or(0);
     let mut order: Vec<usize> = (0..prisms.len()).collect();
-    order.sort_by(|&a, &b| prisms[a].low[along].total_cmp(&prisms[b].low[along]).then(a.cmp(&b)));
+    order.sort_by(|&a, &b| prisms[a].min[along].total_cmp(&prisms[b].min[along]).then(a.cmp(&b)));
     let mut found: Option<(usize, usize, f64)> = None;
-    for (place, &i) in order.iter().enumerate() {
-        for &j in &order[place + 1..] {
-            if prisms[j].low[along] > prisms[i].high[along] - tolerance {
+    for (rank, &i) in order.iter().enumerate() {
+        for &j in &order[rank + 1..] {
+            if prisms[j].min[along] > prisms[i].max[along] - tolerance {
                 break;
             }
             let pair = (i.min(j), i.max(j));
             if found.is_some_and(|(a, b, _)| (a, b) <= pair) {
                 continue;
             }
-            let depth = depth_of(&prisms[i], &prisms[j]);
+            let depth = prism_depth(&prisms[i], &prisms[j]);
             if depth > tolerance {
                 found = Some((pair.0, pair.1, depth));
             }

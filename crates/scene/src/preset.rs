@@ -1,28 +1,37 @@
-//! The blocks that towers are built from.
+//! Block presets.
 
 use std::fmt;
 use std::str::FromStr;
 
 use serde::{Deserialize, Serialize};
 
-use crate::SceneError;
+use crate::error::SceneError;
 
-/// A make of block.
+/// Preset of a block's size, mass and spacing.
+///
+/// ```
+/// use teeter_scene::BlockPreset;
+///
+/// let preset: BlockPreset = "official".parse()?;
+/// assert_eq!(preset.size(), [0.075, 0.025, 0.015]);
+/// # Ok::<(), teeter_scene::SceneError>(())
+/// ```
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "lowercase")]
 pub enum BlockPreset {
-    /// 81 x 26.8 x 18 mm, 19.6 g, 0.3 mm between the three of a row: as measured for the dissertation. A row is exactly as wide as a block is long.
+    /// 81 x 26.8 x 18 mm, 19.6 g, 0.3 mm between the three of a row, as measured for the
+    /// dissertation. A row is exactly as wide as a block is long.
     #[default]
     Dissertation,
     /// 75 x 25 x 15 mm, the size that the game is sold in, at the same density: 14.1 g.
     ///
-    /// Its width is a third of its length, so three side by side leave no room for a gap. The blocks keep their nominal width and stand 0.2 mm apart;
-    /// a row is then 75.4 mm wide and overhangs the blocks below it by 0.2 mm a side.
+    /// The width is a third of the length, which leaves no gap between three blocks. They are 0.2
+    /// mm apart instead, so a row is 75.4 mm wide and overhangs the blocks below by 0.2 mm a side.
     Official,
 }
 
 impl BlockPreset {
-    /// All of them.
+    /// All presets.
     pub const ALL: [BlockPreset; 2] = [BlockPreset::Dissertation, BlockPreset::Official];
 
     /// Length, width and height, m.
@@ -41,7 +50,8 @@ impl BlockPreset {
         }
     }
 
-    /// Standard deviation of the mass, kg: as measured on the dissertation's blocks, in proportion for the others.
+    /// Standard deviation of the mass, kg: measured on the dissertation's blocks, scaled for the
+    /// others.
     pub fn mass_sd(self) -> f64 {
         match self {
             BlockPreset::Dissertation => 0.00185,
@@ -49,7 +59,7 @@ impl BlockPreset {
         }
     }
 
-    /// Distance between the centres of neighbours in a row, m.
+    /// Distance between the centres of adjacent blocks in a row, m.
     pub fn pitch(self) -> f64 {
         match self {
             BlockPreset::Dissertation => 0.0271,
@@ -57,7 +67,7 @@ impl BlockPreset {
         }
     }
 
-    /// Its name.
+    /// Name of the preset.
     pub fn name(self) -> &'static str {
         match self {
             BlockPreset::Dissertation => "dissertation",

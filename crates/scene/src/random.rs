@@ -1,19 +1,29 @@
-//! A seeded source of numbers that are the same bits on every target.
+//! Random numbers with the same bits on every target.
 //!
-//! SplitMix64 (Steele, Lea and Flood, "Fast splittable pseudorandom number generators", OOPSLA 2014): integers only.
-//! Normal deviates by Marsaglia's polar method, whose square root is exact by IEEE 754 and whose logarithm is `libm`'s, never the platform's.
+//! SplitMix64 (Steele, Lea and Flood, "Fast splittable pseudorandom number generators", OOPSLA
+//! 2014) is integer arithmetic. Normal deviates by Marsaglia's polar method use a square root,
+//! which IEEE 754 defines exactly, and the logarithm of `libm` instead of the platform's.
 
-/// SplitMix64.
+/// SplitMix64 generator.
+///
+/// ```
+/// use teeter_scene::Random;
+///
+/// let mut random = Random::new(7);
+/// let x = random.uniform();
+/// assert!((0.0..1.0).contains(&x));
+/// assert_eq!(Random::new(7).uniform(), x);
+/// ```
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Random(u64);
 
 impl Random {
-    /// The sequence of this seed. Every seed is as good as any other, 0 included.
+    /// Creates the generator of a seed; every seed is equally good, including 0.
     pub fn new(seed: u64) -> Self {
         Self(seed)
     }
 
-    /// 64 random bits.
+    /// Returns 64 random bits.
     pub fn bits(&mut self) -> u64 {
         self.0 = self.0.wrapping_add(0x9e37_79b9_7f4a_7c15);
         let z = self.0;
@@ -22,14 +32,14 @@ impl Random {
         z ^ (z >> 31)
     }
 
-    /// Evenly between 0 and 1, 1 excluded.
+    /// Returns a uniform number from 0 to 1, 1 excluded.
     pub fn uniform(&mut self) -> f64 {
         (self.bits() >> 11) as f64 / (1u64 << 53) as f64
     }
 
-    /// Normal with mean 0 and standard deviation 1.
+    /// Returns a normal deviate with mean 0 and standard deviation 1.
     ///
-    /// The second deviate that the method offers is dropped, so that the state is one integer.
+    /// The second deviate of the method is dropped, so that the state is one integer.
     pub fn normal(&mut self) -> f64 {
         loop {
             let x = 2.0 * self.uniform() - 1.0;
@@ -41,7 +51,8 @@ impl Random {
         }
     }
 
-    /// Normal, drawn again until it is within `limit` standard deviations. `limit` must be above 0.
+    /// Returns a normal deviate, redrawn until it is within `limit` standard deviations. `limit`
+    /// must be positive.
     pub fn clipped_normal(&mut self, limit: f64) -> f64 {
         loop {
             let x = self.normal();
@@ -56,9 +67,9 @@ impl Random {
 mod tests {
     use super::*;
 
-    /// The reference sequence of SplitMix64 for the seed 1234567.
+    /// Reference sequence of SplitMix64 for the seed 1234567.
     #[test]
-    fn matches_the_reference() {
+    fn bits_match_the_reference_sequence() {
         let mut r = Random::new(1234567);
         let got: Vec<u64> = (0..5).map(|_| r.bits()).collect();
         assert_eq!(
@@ -67,16 +78,17 @@ mod tests {
         );
     }
 
-    /// A target whose logarithm or square root rounds differently would build another tower from the same seed.
+    /// A logarithm or square root that rounds differently would build another tower from the same
+    /// seed.
     #[test]
-    fn normal_deviates_are_these_bits() {
+    fn normal_deviates_have_fixed_bits() {
         let mut r = Random::new(1);
         let got: Vec<u64> = (0..4).map(|_| r.normal().to_bits()).collect();
         assert_eq!(got, [4601407943086469324, 4601894385929139744, 13822931456121442852, 4607432476233908252]);
     }
 
     #[test]
-    fn normal_deviates_are_normal() {
+    fn normal_deviates_have_the_moments_of_a_normal() {
         let mut r = Random::new(7);
         let n = 100_000;
         let x: Vec<f64> = (0..n).map(|_| r.normal()).collect();
@@ -90,7 +102,7 @@ mod tests {
     }
 
     #[test]
-    fn clipping_leaves_nothing_outside() {
+    fn clipped_deviates_are_within_the_limit() {
         let mut r = Random::new(3);
         assert!((0..10_000).all(|_| r.clipped_normal(2.0).abs() <= 2.0));
     }

@@ -1,66 +1,86 @@
-//! A scene: what stands where, and what it is made of. Plain data in SI units; z is up, the floor is z = 0.
+//! The scene: blocks on a floor and the constants of their contact. Plain data in SI units; z
+//! points up and the floor is z = 0.
 
 use serde::{Deserialize, Serialize};
 
 use crate::form::{Form, Springs};
 
-/// One block: a uniform cuboid, upright, turned about the vertical by `yaw`.
+/// Block: a uniform cuboid, upright, turned about the vertical by `yaw`.
+///
+/// ```
+/// use teeter_scene::{Block, BlockPreset};
+///
+/// let preset = BlockPreset::Dissertation;
+/// let block = Block { id: 0, size: preset.size(), mass: preset.mass(), pos: [0.0, 0.0, 0.009], yaw: 0.0 };
+/// assert_eq!(block.pos[2], 0.5 * block.size[2]); // on the floor
+/// ```
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct Block {
-    /// A name for the block that is unique in its scene.
+    /// Id, unique in the scene.
     pub id: u32,
     /// Full edge lengths along the block's own axes, m.
     pub size: [f64; 3],
     /// Mass, kg.
     pub mass: f64,
-    /// Centre, m.
+    /// Position of the centre, m.
     pub pos: [f64; 3],
-    /// Turn about the vertical through the centre, rad.
+    /// Rotation about the vertical through the centre, rad.
     #[serde(default)]
     pub yaw: f64,
 }
 
 /// Blocks on a floor, and the constants of their contact.
+///
+/// ```
+/// use teeter_scene::{Scene, TowerOptions, tower};
+///
+/// let scene = tower(&TowerOptions::default())?;
+/// assert_eq!(Scene::from_json(&scene.to_json())?, scene);
+/// # Ok::<(), teeter_scene::SceneError>(())
+/// ```
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct Scene {
-    /// What the scene is called.
+    /// Name of the scene.
     pub name: String,
     /// Acceleration of gravity along -z, m/s².
     #[serde(default = "standard_gravity")]
     pub gravity: f64,
-    /// Coefficient of static friction of every contact, the floor's included.
+    /// Coefficient of static friction of every contact, including contacts with the floor.
     pub friction: f64,
-    /// Coefficient of kinetic friction; the static one where absent.
+    /// Coefficient of kinetic friction. Defaults to the static one.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub kinetic_friction: Option<f64>,
-    /// Ratio of the speeds after and before a flat impact, 0 to 1. The contact law covers a part of that range and takes the nearest it has.
+    /// Ratio of the speeds after and before a flat impact, 0 to 1. The contact law covers a part of
+    /// that range and clamps to it.
     #[serde(default)]
     pub restitution: f64,
-    /// Normal stiffness of a contact of 26.8 mm by 26.8 mm, N/m, within [`STIFFNESS`](crate::STIFFNESS); stiffness follows the area. What is
-    /// stiffer gives less and takes more steps: their number grows with the square root.
-    #[serde(default = "usual_stiffness")]
+    /// Normal stiffness of a contact of 26.8 mm by 26.8 mm, N/m, within
+    /// [`STIFFNESS`](crate::STIFFNESS). Contact stiffness is proportional to the area, and the
+    /// number of substeps to its square root.
+    #[serde(default = "default_stiffness")]
     pub stiffness: f64,
-    /// What the blocks are.
+    /// Form of the blocks.
     #[serde(default, skip_serializing_if = "is_rigid")]
     pub form: Form,
-    /// The springs within them, where they have any.
-    #[serde(default, skip_serializing_if = "Springs::is_usual")]
+    /// Springs inside the blocks of form [`Form::Lattice`].
+    #[serde(default, skip_serializing_if = "Springs::is_default")]
     pub springs: Springs,
-    /// The blocks, in order of creation.
+    /// Blocks, in order of creation.
     pub blocks: Vec<Block>,
-    /// The exact answer where it is known: `stable` or `unstable`.
+    /// Exact answer where it is known: `stable` or `unstable`.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub label: Option<String>,
-    /// By how much every support edge may be wrong before the label changes, mm.
+    /// Error of every support edge that the label tolerates, mm.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub margin: Option<f64>,
-    /// Direction in which the ground is tilted, rad about z from x; present in scenes that ask for the angle of collapse.
+    /// Direction in which the ground tilts, rad about z from x, in scenes that ask for the angle of
+    /// collapse.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub tilt_az: Option<f64>,
 }
 
 impl Scene {
-    /// Stiffness of each spring within the blocks, N/m.
+    /// Stiffness of each spring inside the blocks, N/m.
     pub fn spring_stiffness(&self) -> f64 {
         self.springs.stiffness.unwrap_or(self.stiffness)
     }
@@ -70,12 +90,13 @@ fn is_rigid(form: &Form) -> bool {
     *form == Form::Rigid
 }
 
-/// Gravity of the scenes that do not name their own, m/s².
+/// Default gravity, m/s².
 pub fn standard_gravity() -> f64 {
     9.81
 }
 
-/// Stiffness of the scenes that do not name their own, N/m: the top of a full tower sinks by some hundredths of a millimetre.
-pub fn usual_stiffness() -> f64 {
+/// Default contact stiffness, N/m: the top of a full tower sinks by some hundredths of a
+/// millimetre.
+pub fn default_stiffness() -> f64 {
     1e6
 }

@@ -1,7 +1,7 @@
-//! Configurations such as (010)-(1L1): read, written, and refused with the row's number.
+//! Notation such as (010)-(1L1): parsing, formatting, and errors that name the row.
 
 use proptest::prelude::*;
-use teeter_scene::{Cell, LOOSE_BY, Notation, TowerOptions, config, loose};
+use teeter_scene::{Cell, LOOSE_CLEARANCE, Notation, TowerOptions, config, loose};
 
 fn cell() -> impl Strategy<Value = Cell> {
     prop_oneof![Just(Cell::Absent), Just(Cell::Present), Just(Cell::Loose)]
@@ -15,20 +15,20 @@ proptest! {
     #![proptest_config(ProptestConfig { failure_persistence: None, max_local_rejects: 1_000_000, ..ProptestConfig::default() })]
 
     #[test]
-    fn what_is_written_is_read(rows in prop::collection::vec(row(), 1..=200)) {
+    fn formatted_notation_parses_back(rows in prop::collection::vec(row(), 1..=200)) {
         let notation = Notation { rows };
         prop_assert_eq!(notation.to_string().parse::<Notation>().unwrap(), notation);
     }
 
     #[test]
-    fn no_text_panics(text in ".{0,40}") {
+    fn parsing_never_panics(text in ".{0,40}") {
         let _ = text.parse::<Notation>();
         let _ = Notation::from_loose_map(&text);
     }
 }
 
 #[test]
-fn columns_go_from_left_to_right() {
+fn columns_run_from_left_to_right() {
     let scene = config("(100)-(001)", &TowerOptions::exact()).unwrap();
     assert_eq!(scene.blocks[0].pos[..2], [0.0, -0.0271]);
     assert_eq!(scene.blocks[1].pos[..2], [0.0271, 0.0]);
@@ -36,25 +36,25 @@ fn columns_go_from_left_to_right() {
 }
 
 #[test]
-fn absent_blocks_leave_the_others_as_they_were() {
+fn absent_blocks_leave_the_others_unchanged() {
     let options = TowerOptions::default();
     let full = config("(111)-(111)", &options).unwrap();
-    let less = config("(101)-(111)", &options).unwrap();
-    assert_eq!(full.blocks[2].size, less.blocks[1].size);
-    assert_eq!(full.blocks[3].mass, less.blocks[2].mass);
+    let partial = config("(101)-(111)", &options).unwrap();
+    assert_eq!(full.blocks[2].size, partial.blocks[1].size);
+    assert_eq!(full.blocks[3].mass, partial.blocks[2].mass);
 }
 
 #[test]
-fn a_loose_block_has_air_above_it() {
+fn a_loose_block_has_a_gap_above_it() {
     let scene = config("(1L1)-(111)", &TowerOptions::exact()).unwrap();
     let top = |i: usize| scene.blocks[i].pos[2] + scene.blocks[i].size[2] / 2.0;
     let bottom = scene.blocks[3].pos[2] - scene.blocks[3].size[2] / 2.0;
-    assert!((bottom - top(1) - LOOSE_BY).abs() < 1e-15);
+    assert!((bottom - top(1) - LOOSE_CLEARANCE).abs() < 1e-15);
     assert!((bottom - top(0)).abs() < 1e-15);
 }
 
 #[test]
-fn a_map_of_loose_blocks_is_a_full_tower() {
+fn a_loose_map_is_a_full_tower() {
     let scene = loose("(L00)-(00L)-(00L)-(0L0)-(L0L)-(LLL)", &TowerOptions::exact()).unwrap();
     assert_eq!(scene.blocks.len(), 18);
     let loose: Vec<usize> = (0..18).filter(|&i| scene.blocks[i].size[2] < 0.0179).collect();
@@ -63,7 +63,7 @@ fn a_map_of_loose_blocks_is_a_full_tower() {
 }
 
 #[test]
-fn faults_name_the_row_and_what_was_expected() {
+fn errors_name_the_row_and_the_expected_form() {
     let digits = "three of 0 (none), 1 (block) and L (loose block) in brackets, such as (011)";
     for (text, row, found, expected) in [
         ("", 1, "", digits),

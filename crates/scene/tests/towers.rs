@@ -1,4 +1,4 @@
-//! Towers from a seed: valid, free of overlap, and the same bits wherever they are built.
+//! Towers of a seed: valid, free of overlap, and the same bits on every target.
 
 use proptest::prelude::*;
 use teeter_scene::{Block, BlockPreset, Scene, TowerOptions, overlap, tower};
@@ -18,8 +18,8 @@ proptest! {
         let scene = tower(&options).unwrap();
         prop_assert_eq!(scene.blocks.len(), 3 * options.rows as usize);
         prop_assert_eq!(scene.validate(), Ok(()));
-        // Not by a micrometre, which is what validation allows, but not at all beyond rounding.
-        prop_assert_eq!(overlap::first(&scene.blocks, 1e-12), None);
+        // Validation allows a micrometre; towers overlap by rounding only.
+        prop_assert_eq!(overlap::first_pair(&scene.blocks, 1e-12), None);
     }
 
     #[test]
@@ -33,29 +33,29 @@ proptest! {
     }
 
     #[test]
-    fn same_seed_same_bits(options in any_tower()) {
+    fn the_same_seed_gives_the_same_bits(options in any_tower()) {
         prop_assert_eq!(tower(&options).unwrap().to_json(), tower(&options).unwrap().to_json());
         let other = TowerOptions { seed: options.seed ^ 1, height_sd: 1e-4, ..options.clone() };
         prop_assert_ne!(tower(&options).unwrap().blocks, tower(&other).unwrap().blocks);
     }
 
     #[test]
-    fn more_rows_leave_those_below(options in any_tower()) {
+    fn further_rows_leave_those_below_unchanged(options in any_tower()) {
         let scene = tower(&options).unwrap();
         let higher = tower(&TowerOptions { rows: options.rows + 3, ..options }).unwrap();
         prop_assert_eq!(&higher.blocks[..scene.blocks.len()], &scene.blocks[..]);
     }
 
     #[test]
-    fn json_gives_the_same_bits_back(options in any_tower()) {
+    fn json_round_trips_to_the_same_bits(options in any_tower()) {
         let scene = tower(&options).unwrap();
         prop_assert_eq!(Scene::from_json(&scene.to_json()).unwrap(), scene);
     }
 
-    /// The depth of two upright blocks against a count of points: a point of one is inside the other only if they overlap,
-    /// and moving one by the depth along some direction parts them.
+    /// A grid point of one block is inside the other only if the depth is positive, and some point
+    /// is inside if the depth exceeds the spacing of the grid.
     #[test]
-    fn overlap_agrees_with_points(x in -0.1..0.1f64, y in -0.1..0.1f64, z in -0.03..0.03f64, yaw in -4.0..4.0f64) {
+    fn overlap_agrees_with_a_grid_of_points(x in -0.1..0.1f64, y in -0.1..0.1f64, z in -0.03..0.03f64, yaw in -4.0..4.0f64) {
         let size = [0.081, 0.0268, 0.018];
         let a = Block { id: 0, size, mass: 0.02, pos: [0.0; 3], yaw: 0.3 };
         let b = Block { id: 1, size, mass: 0.02, pos: [x, y, z], yaw };
@@ -72,14 +72,14 @@ proptest! {
             qx.abs() < size[0] / 2.0 && qy.abs() < size[1] / 2.0
         })) && z.abs() < size[2];
         if inside { prop_assert!(depth > 0.0, "{depth}"); }
-        // The grid's points are at most 1.4 mm apart: deeper than that and one of them is inside.
+        // Adjacent grid points are at most 1.4 mm apart.
         if depth > 2e-3 { prop_assert!(inside, "{depth}"); }
     }
 }
 
-/// The first blocks of the default tower, as they must be on every machine.
+/// Bits of some blocks of the default tower, equal on every machine.
 #[test]
-fn default_tower_is_these_bits() {
+fn the_default_tower_has_fixed_bits() {
     let scene = tower(&TowerOptions::default()).unwrap();
     let bits: Vec<[u64; 3]> = [0, 1, 53]
         .map(|i| {
@@ -96,7 +96,7 @@ fn default_tower_is_these_bits() {
 }
 
 #[test]
-fn a_tower_stands_where_the_format_says() {
+fn blocks_have_the_positions_of_the_scene_format() {
     let scene = tower(&TowerOptions { rows: 2, ..TowerOptions::exact() }).unwrap();
     let (a, d) = (&scene.blocks[0], &scene.blocks[3]);
     assert_eq!((a.pos, a.yaw), ([0.0, -0.0271, 0.009], 0.0));
@@ -106,7 +106,7 @@ fn a_tower_stands_where_the_format_says() {
 }
 
 #[test]
-fn a_row_stands_on_the_tallest_below() {
+fn a_row_rests_on_the_tallest_block_below() {
     let scene = tower(&TowerOptions { rows: 10, ..TowerOptions::default() }).unwrap();
     let mut base = 0.0;
     for row in scene.blocks.chunks(3) {
@@ -118,7 +118,7 @@ fn a_row_stands_on_the_tallest_below() {
 }
 
 #[test]
-fn rows_out_of_range_are_refused() {
+fn rows_out_of_range_are_rejected() {
     for rows in [0, 201, u32::MAX] {
         let error = tower(&TowerOptions { rows, ..TowerOptions::default() }).unwrap_err().to_string();
         assert_eq!(error, format!("`rows` is {rows}, expected 1 to 200"));
@@ -127,7 +127,7 @@ fn rows_out_of_range_are_refused() {
 }
 
 #[test]
-fn scatter_out_of_range_is_refused() {
+fn scatter_out_of_range_is_rejected() {
     for height_sd in [-1e-9, 2e-3, f64::NAN] {
         let error = tower(&TowerOptions { height_sd, ..TowerOptions::default() }).unwrap_err().to_string();
         assert!(error.starts_with("`height_sd` is "), "{error}");

@@ -6,8 +6,8 @@ use wasm_bindgen::prelude::*;
 
 /// Error of a WebAssembly module: one line for the user.
 ///
-/// JavaScript receives it as an `Error` with this line as its message, so an exported function may return
-/// `Result<T, Error>`.
+/// JavaScript receives it as an `Error` with this line as its message, so an exported function may
+/// return `Result<T, Error>`.
 ///
 /// ```
 /// use teeter_wasm_support::Error;
@@ -59,7 +59,8 @@ extern "C" {
     fn console_error(line: &str);
 }
 
-/// Installs a panic hook that prints to the console: without it a panic reads "unreachable executed".
+/// Installs a panic hook that prints to the console: without it a panic reads "unreachable
+/// executed".
 #[cfg(target_arch = "wasm32")]
 #[wasm_bindgen(start)]
 pub fn report_panics() {
