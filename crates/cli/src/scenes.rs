@@ -2,7 +2,7 @@
 
 use clap::Parser;
 use serde::Serialize;
-use teeter_scene::{NAMED, Scene, TowerOptions, Verdict, config, field, loose, tower};
+use teeter_scene::{NAMED, Scene, Stability, TowerOptions, config, field, loose, tower};
 
 use crate::args::{Common, Named, SceneArgs, What};
 use crate::fault::Fault;
@@ -54,7 +54,7 @@ fn checked(scene: Result<Scene, teeter_scene::SceneError>) -> Result<Scene, Faul
 struct Entry {
     name: &'static str,
     title: &'static str,
-    expect: Option<Verdict>,
+    expect: Option<Stability>,
 }
 
 #[derive(Serialize)]

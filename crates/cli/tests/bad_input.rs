@@ -44,7 +44,7 @@ fn each_field_missing() {
         assert!(fault.starts_with(&format!("standard input: block 9: missing field `{field}`")), "{fault}");
     }
     let fault = fault_of(|s| without(&mut s["blocks"][1], "id"));
-    assert!(fault.starts_with("standard input: block at place 1 of the list: missing field `id`"), "{fault}");
+    assert!(fault.starts_with("standard input: block at index 1 of the list: missing field `id`"), "{fault}");
 }
 
 #[test]

@@ -4,7 +4,7 @@ mod common;
 
 use common::teeter;
 use serde_json::Value;
-use teeter_scene::{NAMED, Verdict};
+use teeter_scene::{NAMED, Stability};
 
 fn report(args: &[&str]) -> Value {
     teeter(&[&["run"], args, &["--json"]].concat()).json()
@@ -54,7 +54,7 @@ fn verdicts_of_the_list() {
     for entry in NAMED {
         let Some(expect) = entry.expect else { continue };
         let report = report(&[entry.name, "--seconds", "5", "--no-sleep"]);
-        assert_eq!(report["stands"], expect == Verdict::Stable, "{}: {report}", entry.name);
+        assert_eq!(report["stands"], expect == Stability::Stable, "{}: {report}", entry.name);
         assert_eq!(report["asleep_at_s"], Value::Null, "{} slept although it may not", entry.name);
     }
 }

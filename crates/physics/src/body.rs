@@ -52,7 +52,7 @@ impl Shapes {
     pub fn set_form(&mut self, form: Form, particles: Particles) {
         self.particles = match form {
             Form::Rigid => Vec::new(),
-            Form::Lattice => self.half.iter().map(|&half| half * particles.place()).collect(),
+            Form::Lattice => self.half.iter().map(|&half| half * particles.inset()).collect(),
         };
         let moments = |half: DVec3| {
             let square = half * half;

@@ -45,7 +45,7 @@ impl Setup {
         let zeta = damping_ratio(scene.restitution);
         let springs = (scene.form == Form::Lattice).then(|| Springs::new(scene));
         let mobility =
-            if springs.is_some() { crossed_mobility(scene.springs.particles.place()) } else { CROSSED_MOBILITY };
+            if springs.is_some() { crossed_mobility(scene.springs.particles.inset()) } else { CROSSED_MOBILITY };
         let contact = step_fraction(zeta, mobility) * (masses.step / scene.stiffness).sqrt();
         let longest = springs.map_or(contact, |springs| contact.min(springs.longest_step(masses.least)));
         let substeps = (params.frame / longest).ceil().max(1.0) as usize;

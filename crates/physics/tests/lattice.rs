@@ -5,7 +5,7 @@ mod common;
 use common::*;
 use glam::{DMat3, DVec3};
 use teeter_physics::{AppliedForce, BodyId, Drive, Hand, Input, Params, Precision, Twist, Width, World};
-use teeter_scene::{Form, NAMED, Particles, Scene, Springs, TowerOptions, Verdict, tower};
+use teeter_scene::{Form, NAMED, Particles, Scene, Springs, Stability, TowerOptions, tower};
 
 /// A scene with blocks of springs, as stiff as the contacts.
 fn springy(scene: Scene) -> Scene {
@@ -156,7 +156,7 @@ fn the_configurations_stand_or_fall_as_rigid_ones_do() {
         let mut world = World::new(&springy(named.scene()), awake()).unwrap();
         let before = poses(&world);
         run(&mut world, 4.0, &Input::default());
-        assert_eq!(displacement(&before, &world) > 5e-3, expected == Verdict::Unstable, "{}", named.name);
+        assert_eq!(displacement(&before, &world) > 5e-3, expected == Stability::Unstable, "{}", named.name);
         judged += 1;
     }
     assert!(judged >= 6);

@@ -6,7 +6,7 @@ use std::sync::atomic::{AtomicUsize, Ordering};
 
 use common::*;
 use teeter_physics::{Input, Params, World};
-use teeter_scene::{NAMED, TowerOptions, Verdict, tower};
+use teeter_scene::{NAMED, Stability, TowerOptions, tower};
 
 #[test]
 fn the_full_tower_stands_a_minute_without_sleep() {
@@ -63,7 +63,7 @@ fn the_configurations_of_the_dissertation_stand_or_fall_as_they_did() {
     let mut judged = 0;
     for named in NAMED {
         let Some(expected) = named.expect else { continue };
-        assert_eq!(falls(&named.scene()), expected == Verdict::Unstable, "{}", named.name);
+        assert_eq!(falls(&named.scene()), expected == Stability::Unstable, "{}", named.name);
         judged += 1;
     }
     assert!(judged >= 6);

@@ -64,7 +64,7 @@ pub enum SceneError {
     },
     /// Id of two blocks.
     #[error(
-        "block {id}: `id` is used twice, by the blocks at places {first} and {second} of the list, expected one block an id"
+        "block {id}: `id` is used twice, by the blocks at indices {first} and {second} of the list, expected one block an id"
     )]
     DuplicateId {
         /// Shared id.

@@ -52,8 +52,8 @@ impl FromStr for Form {
 /// ```
 /// use teeter_scene::Particles;
 ///
-/// assert_eq!(Particles::Corners.place(), 1.0);
-/// assert_eq!(Particles::Inside.place(), 1.0 / 3f64.sqrt());
+/// assert_eq!(Particles::Corners.inset(), 1.0);
+/// assert_eq!(Particles::Inside.inset(), 1.0 / 3f64.sqrt());
 /// ```
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "lowercase")]
@@ -67,7 +67,7 @@ pub enum Particles {
 
 impl Particles {
     /// Distance of the particles from the centre along each axis, over the half edge.
-    pub fn place(self) -> f64 {
+    pub fn inset(self) -> f64 {
         match self {
             // 1/√3, the Gauss points of a line.
             Particles::Inside => 0.577_350_269_189_625_8,

@@ -74,7 +74,7 @@ fn path_error(text: &str, error: serde_path_to_error::Error<serde_json::Error>) 
         Some((index, field)) => {
             let value = serde_json::from_str::<serde_json::Value>(text).ok();
             let id = value.as_ref().and_then(|v| v["blocks"][index.parse::<usize>().ok()?]["id"].as_u64());
-            let block = id.map_or(format!("block at place {index} of the list: "), |id| format!("block {id}: "));
+            let block = id.map_or(format!("block at index {index} of the list: "), |id| format!("block {id}: "));
             match field.trim_start_matches('.') {
                 "" => block,
                 field => format!("{block}`{field}`: "),

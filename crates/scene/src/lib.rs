@@ -15,7 +15,7 @@ mod validate;
 pub use error::SceneError;
 pub use form::{Form, Particles, Springs, WOOD_SPRINGS};
 pub use json::{MAX_BYTES, read_text};
-pub use named::{NAMED, NamedScene, Verdict, named};
+pub use named::{NAMED, NamedScene, Stability, named};
 pub use notation::{Cell, MAX_ROWS, Notation};
 pub use preset::BlockPreset;
 pub use random::Random;

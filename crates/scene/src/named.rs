@@ -15,25 +15,25 @@ use crate::tower::{self, TowerOptions, WOOD_RESTITUTION, tower};
 /// Exact answer for a tower of rigid blocks.
 ///
 /// ```
-/// use teeter_scene::{NAMED, Verdict};
+/// use teeter_scene::{NAMED, Stability};
 ///
 /// let test_2 = NAMED.iter().find(|scene| scene.name == "test-2").expect("the list has it");
-/// assert_eq!(test_2.expect, Some(Verdict::Unstable));
+/// assert_eq!(test_2.expect, Some(Stability::Unstable));
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "lowercase")]
-pub enum Verdict {
+pub enum Stability {
     /// The tower stands.
     Stable,
     /// The tower falls.
     Unstable,
 }
 
-impl fmt::Display for Verdict {
+impl fmt::Display for Stability {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.write_str(match self {
-            Verdict::Stable => "stable",
-            Verdict::Unstable => "unstable",
+            Stability::Stable => "stable",
+            Stability::Unstable => "unstable",
         })
     }
 }
@@ -52,7 +52,7 @@ pub struct NamedScene {
     /// Title: one line for the reader of the list.
     pub title: &'static str,
     /// Exact answer for rigid blocks, where there is one.
-    pub expect: Option<Verdict>,
+    pub expect: Option<Stability>,
     /// Builder of the scene without its name and label.
     build: fn() -> Scene,
 }
@@ -64,9 +64,9 @@ impl NamedScene {
     }
 }
 
-use Verdict::{Stable, Unstable};
+use Stability::{Stable, Unstable};
 
-const fn entry(name: &'static str, title: &'static str, expect: Option<Verdict>, build: fn() -> Scene) -> NamedScene {
+const fn entry(name: &'static str, title: &'static str, expect: Option<Stability>, build: fn() -> Scene) -> NamedScene {
     NamedScene { name, title, expect, build }
 }
 

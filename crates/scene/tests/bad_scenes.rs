@@ -51,7 +51,7 @@ fn missing_fields_are_named() {
     }
     for field in ["id", "size", "mass", "pos"] {
         let error = error_with(&format!("/blocks/1/{field}"), None);
-        let block = if field == "id" { "block at place 1 of the list" } else { "block 9" };
+        let block = if field == "id" { "block at index 1 of the list" } else { "block 9" };
         assert!(error.starts_with(&format!("{block}: missing field `{field}` (line 1")), "{error}");
     }
 }
@@ -65,7 +65,7 @@ fn values_of_the_wrong_type_are_named() {
     assert!(error_with("/blocks/1/pos", Some(json!([0.0, 1.0]))).starts_with("block 9: `pos`: invalid length 2"));
     assert!(
         error_with("/blocks/1/id", Some(json!(-1)))
-            .starts_with("block at place 1 of the list: `id`: invalid value: integer `-1`")
+            .starts_with("block at index 1 of the list: `id`: invalid value: integer `-1`")
     );
     assert!(error_with("/friction", Some(Value::Null)).starts_with("`friction`: invalid type: null"));
     assert!(
@@ -170,7 +170,7 @@ fn overlapping_blocks_are_rejected() {
     let error = error_with("/blocks/1/id", Some(json!(7)));
     assert_eq!(
         error,
-        "block 7: `id` is used twice, by the blocks at places 0 and 1 of the list, expected one block an id"
+        "block 7: `id` is used twice, by the blocks at indices 0 and 1 of the list, expected one block an id"
     );
 }
 
@@ -217,7 +217,7 @@ fn text_that_is_not_a_scene_is_rejected() {
     let error = error_line(&format!("{{\"x\":{}", "[".repeat(100_000)));
     assert!(error.starts_with("this is not JSON: EOF while parsing a list"), "{error}");
     let error = error_line(&format!("{{\"blocks\":{}", "[".repeat(100_000)));
-    assert!(error.starts_with("block at place 0 of the list: "), "{error}");
+    assert!(error.starts_with("block at index 0 of the list: "), "{error}");
 }
 
 #[test]

@@ -1,6 +1,6 @@
 //! List of scenes: valid scenes, unique names, and the dissertation's configurations.
 
-use teeter_scene::{NAMED, Scene, Verdict, named};
+use teeter_scene::{NAMED, Scene, Stability, named};
 
 #[test]
 fn every_scene_is_valid_and_has_a_unique_name() {
@@ -29,7 +29,7 @@ fn the_dissertation_tests_have_their_blocks() {
 /// The condition is exact for towers whose rows carry on one block or on a span: necessary for the
 /// stable ones and, where it fails, sufficient for the unstable ones.
 #[test]
-fn verdicts_agree_with_centres_of_mass() {
+fn stability_agrees_with_centres_of_mass() {
     for entry in NAMED.iter().filter(|n| n.name.starts_with("test-")) {
         let scene = entry.scene();
         let mut margin = f64::INFINITY;
@@ -47,7 +47,7 @@ fn verdicts_agree_with_centres_of_mass() {
             let max = row.iter().map(|b| b.pos[across] + b.size[1] / 2.0).fold(f64::NEG_INFINITY, f64::max);
             margin = margin.min(centre - min).min(max - centre);
         }
-        let stands = if margin > 0.0 { Verdict::Stable } else { Verdict::Unstable };
+        let stands = if margin > 0.0 { Stability::Stable } else { Stability::Unstable };
         assert_eq!(Some(stands), entry.expect, "{}: {:.3} mm", entry.name, margin * 1e3);
         if entry.name == "test-2" {
             assert!((margin + 0.15e-3).abs() < 1e-9, "{margin}");

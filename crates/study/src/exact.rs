@@ -461,7 +461,7 @@ fn touching(blocks: &[Block]) -> Vec<Point> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use teeter_scene::{BlockPreset, NAMED, TowerOptions, Verdict, config, named, tower};
+    use teeter_scene::{BlockPreset, NAMED, Stability, TowerOptions, config, named, tower};
 
     /// Near the end the energies of two steps are the same number, and a search that compares them stopped short in one official tower of twelve.
     #[test]
@@ -570,7 +570,7 @@ mod tests {
             let rests = Rigid::new(&scene);
             assert_eq!(
                 rests.err(),
-                (entry.expect == Some(Verdict::Unstable)).then_some(NoAnswer::Falls),
+                (entry.expect == Some(Stability::Unstable)).then_some(NoAnswer::Falls),
                 "{}",
                 entry.name
             );

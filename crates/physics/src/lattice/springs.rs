@@ -30,7 +30,7 @@ pub struct Springs {
 impl Springs {
     pub fn new(scene: &Scene) -> Self {
         let SceneSprings { damping, particles, .. } = scene.springs;
-        Self { stiffness: scene.spring_stiffness(), damping, place: particles.place() }
+        Self { stiffness: scene.spring_stiffness(), damping, place: particles.inset() }
     }
 
     /// Damping of each spring of a block of `mass` (kg), N s/m: c = 2 zeta sqrt(k m / 8), m with [`STRAIN_INERTIA`].

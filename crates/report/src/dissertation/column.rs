@@ -113,7 +113,7 @@ fn rigid(scene: &Scene) -> Result<Box<dyn Tower>, Error> {
 fn engine(scene: &Scene, form: Form) -> Result<Box<dyn Tower>, Error> {
     let world =
         World::new(&Scene { form, ..scene.clone() }, Params::default()).map_err(|e| Error::at(&scene.name, e))?;
-    Ok(Box::new(Engine { world, place: scene.springs.particles.place(), grasped: None, work: 0.0 }))
+    Ok(Box::new(Engine { world, place: scene.springs.particles.inset(), grasped: None, work: 0.0 }))
 }
 
 /// The dissertation's simulator.
