@@ -8,3 +8,12 @@ pub use teeter_physics::{
 pub use teeter_scene as scene;
 pub use teeter_scene::{Block, Form, Scene, SceneError, TowerOptions};
 pub use teeter_study as study;
+
+/// Tests the examples of the repository's front page and tutorial.
+#[cfg(doctest)]
+mod pages {
+    #[doc = include_str!("../../../README.md")]
+    struct FrontPage;
+    #[doc = include_str!("../../../docs/tutorial.md")]
+    struct Tutorial;
+}
