@@ -19,7 +19,7 @@ use std::process::ExitCode;
 
 use report::Report;
 use teeter_scene::{TowerOptions, named, tower};
-use teeter_study::Rigid;
+use teeter_study::RigidTower;
 
 const USAGE: &str = "teeter-peers [--seconds N] [--blocks N] [--only TEXT] [--json FILE] [--docs FOLDER] [--from FILE]
 
@@ -107,7 +107,7 @@ fn measure(args: &Args) -> Result<Report, String> {
     }
     let scene = tower(&TowerOptions::default()).map_err(|e| e.to_string())?;
     let column = named("column").ok_or("there is no column in the list of scenes")?;
-    let rigid = Rigid::new(&scene).map_err(|e| e.to_string())?;
+    let rigid = RigidTower::new(&scene).map_err(|e| e.to_string())?;
     let blocks = sample(args.blocks, scene.blocks.len());
     eprintln!("exact answers");
     let sought: Vec<measure::Sought> = blocks

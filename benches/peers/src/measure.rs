@@ -2,7 +2,7 @@
 
 use glam::{DMat3, DQuat, DVec3};
 use teeter_scene::Scene;
-use teeter_study::{NoAnswer, Rigid, long_axis};
+use teeter_study::{LimitError, RigidTower, long_axis};
 
 use crate::clock::thread_seconds;
 use crate::engine::{Engine, Entry, FRAME, Pull};
@@ -28,8 +28,8 @@ pub struct Sought {
 
 impl Sought {
     /// Solves for a block.
-    pub fn new(block: usize, rigid: &Rigid) -> std::result::Result<Self, NoAnswer> {
-        let answer = rigid.answer(block)?;
+    pub fn new(block: usize, rigid: &RigidTower) -> std::result::Result<Self, LimitError> {
+        let answer = rigid.breakaway(block)?;
         Ok(Self { block, turning: answer.turning_n, straight: answer.straight_n })
     }
 }

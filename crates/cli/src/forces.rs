@@ -1,7 +1,7 @@
 //! `teeter forces`: the force that starts each block sliding, both ways along its long axis.
 
 use serde::Serialize;
-use teeter_study::{BlockForces, forces};
+use teeter_study::{BlockForces, force_map};
 
 use crate::args::Forces;
 use crate::fault::Fault;
@@ -16,7 +16,7 @@ struct Report {
 pub fn main(args: Forces) -> Result<(), Fault> {
     let scene = args.engine.material.applied(input::scene(&args.scene)?);
     let bar = output::progress(scene.blocks.len() as u64, "blocks");
-    let blocks = forces(&scene, args.engine.params(false), || bar.inc(1)).map_err(|e| Fault::at(&scene.name, e))?;
+    let blocks = force_map(&scene, args.engine.params(false), || bar.inc(1)).map_err(|e| Fault::at(&scene.name, e))?;
     bar.finish_and_clear();
     if args.json {
         return output::line(&output::json(&Report { blocks }));
@@ -29,7 +29,7 @@ pub fn main(args: Forces) -> Result<(), Fault> {
     output::line(&format!(
         "{}: forces in N; - is none below {} N, or no exact answer",
         scene.name,
-        teeter_study::STRONGEST
+        teeter_study::MAX_BREAKAWAY_FORCE
     ))?;
     row(["block", "forward", "backward", "straight", "turning", "tipping", "load"].map(Into::into))?;
     for b in &blocks {

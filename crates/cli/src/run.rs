@@ -4,7 +4,7 @@ use cpu_time::ProcessTime;
 use serde::Serialize;
 use teeter_physics::{Input, World};
 use teeter_scene::Scene;
-use teeter_study::Places;
+use teeter_study::{ReferencePositions, max_height};
 
 use crate::args::Run;
 use crate::fault::{self, Fault};
@@ -52,10 +52,10 @@ fn simulate(scene: &Scene, world: &mut World, seconds: f64) -> Report {
     let frames = (seconds / world.params().frame).round().max(1.0) as u64;
     let bar = output::progress(frames, "frames");
     let input = Input::default();
-    let start = Places::of(world);
+    let start = ReferencePositions::of(world);
     // A scene begins without load, so its top is the sum of the tallest blocks.
-    let top = teeter_study::top(world);
-    let mut settled: Option<Places> = None;
+    let top = max_height(world);
+    let mut settled: Option<ReferencePositions> = None;
     let mut creep: Option<f64> = None;
     let mut fallen = vec![false; world.len()];
     let (mut furthest, mut penetration, mut rms_speed): (f64, f64, f64) = (0.0, 0.0, 0.0);
@@ -69,13 +69,13 @@ fn simulate(scene: &Scene, world: &mut World, seconds: f64) -> Report {
             bar.suspend(|| fault::warn(&format!("block {id} ran away at {:.2} s and was frozen there", step.time)));
         }
         start.mark_fallen(world, &mut fallen);
-        furthest = furthest.max(start.furthest(world));
+        furthest = furthest.max(start.max_displacement(world));
         penetration = penetration.max(step.penetration);
         rms_speed = step.rms_speed;
         asleep_at_s = if step.awake == 0 { asleep_at_s.or(Some(step.time)) } else { None };
         match &settled {
-            Some(places) => creep = Some(creep.unwrap_or(0.0).max(places.furthest(world))),
-            None if step.time >= CREEP_FROM - 1e-9 => settled = Some(Places::of(world)),
+            Some(places) => creep = Some(creep.unwrap_or(0.0).max(places.max_displacement(world))),
+            None if step.time >= CREEP_FROM - 1e-9 => settled = Some(ReferencePositions::of(world)),
             None => {}
         }
         bar.inc(1);
@@ -88,7 +88,7 @@ fn simulate(scene: &Scene, world: &mut World, seconds: f64) -> Report {
         fell,
         max_displacement_mm: 1e3 * furthest,
         creep_mm: creep.map(|m| 1e3 * m),
-        sink_mm: 1e3 * (top - teeter_study::top(world)),
+        sink_mm: 1e3 * (top - max_height(world)),
         penetration_mm: 1e3 * penetration,
         rms_speed,
         cpu_s,

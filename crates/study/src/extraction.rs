@@ -1,66 +1,86 @@
-//! Taking a block out of a tower by the hand.
+//! Extraction of a block from a tower by the hand.
 
 use glam::DVec3;
 use serde::Serialize;
 use teeter_physics::{BodyId, Grip, Hand, Input, Pose, World};
 
-use crate::places::Places;
-use crate::settle::frames;
+use crate::reference_positions::ReferencePositions;
 
-/// How far past its own length a block is taken, m.
-const BEYOND: f64 = 5e-3;
-/// A block that lags behind the hand by more than this when the hand is done has not come out, m: the spring of a hand that pulls with all its force.
-const LAG: f64 = 10e-3;
-/// How long the tower is watched afterwards, s.
-const WATCHED: f64 = 1.0;
+/// Travel of the hand beyond the length of the block, m.
+const EXTRA_TRAVEL: f64 = 5e-3;
+/// Lag of a block behind the hand up to which the block has come out, m: the stretch of the hand's
+/// spring at its full force.
+const MAX_LAG: f64 = 10e-3;
+/// Time for which the hand holds the block afterwards, s.
+const HOLD: f64 = 1.0;
 
-/// How it went.
+/// Outcome of an extraction.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 pub struct Extraction {
-    /// Whether the block came out.
+    /// True when the block came out.
     pub out: bool,
-    /// Furthest that any other block was from its place at any time, mm.
+    /// Largest displacement of any other block at any time, mm.
     pub others_mm: f64,
-    /// Whether another block fell.
+    /// True when another block fell.
     pub fell: bool,
     /// Largest force of the hand, N.
     pub force_n: f64,
 }
 
-/// Takes `body` out of a settled world along `axis` (unit vector) at `speed` (m/s), as a hand does it: it holds the end of the block and draws it along its own
-/// length, which leans with the tower, keeps it as it lies, and has the force of a careful hand. Drawn level instead, a block is lifted against what lies above it.
+/// Takes `body` out of a settled world along `axis` (unit vector) at `speed` (m/s).
+///
+/// The hand holds the middle of the block's end face, keeps the orientation and has the default
+/// force of a careful hand. It pulls along the block's own axis, which leans with the tower: a
+/// level pull would lift the block against its load.
+///
+/// # Panics
+/// When the world has no such body.
+///
+/// ```
+/// use glam::DVec3;
+/// use teeter_physics::{BodyId, Params};
+/// use teeter_study::{extract, settled};
+///
+/// let scene = teeter_scene::loose("(000)-(0L0)-(000)", &teeter_scene::TowerOptions::exact()).unwrap();
+/// let extraction = extract(&settled(&scene, Params::default())?, BodyId(4), DVec3::Y, 0.05);
+/// assert!(extraction.out && !extraction.fell);
+/// # Ok::<(), teeter_physics::BuildError>(())
+/// ```
 pub fn extract(settled: &World, body: BodyId, axis: DVec3, speed: f64) -> Extraction {
     let mut world = settled.clone();
-    let Pose { position: center, orientation: turn } = settled.pose(body);
+    let Pose { position: center, orientation } = settled.pose(body);
     let size = settled.size(body);
-    // the face whose normal is nearest to the axis
-    let end = turn.inverse() * axis;
-    let end = DVec3::from(std::array::from_fn::<f64, 3, _>(|k| {
-        if end[k].abs() == end.abs().max_element() { end[k].signum() } else { 0.0 }
-    }));
-    let axis = turn * end;
+    let end = end_normal(orientation.inverse() * axis);
+    let axis = orientation * end;
     let anchor = end * (0.5 * size.dot(end.abs()));
-    let from = center + turn * anchor;
-    let length = size.dot(end.abs()) + BEYOND;
-    let places = Places::of(&world);
-    let mut seen = Extraction { out: false, others_mm: 0.0, fell: false, force_n: 0.0 };
-    let mut look = |world: &World| {
-        seen.others_mm = f64::max(seen.others_mm, 1e3 * places.furthest_but(world, body));
-        seen.fell |= places.any_fallen_but(world, body);
+    let from = center + orientation * anchor;
+    let length = size.dot(end.abs()) + EXTRA_TRAVEL;
+    let positions = ReferencePositions::of(&world);
+    let mut outcome = Extraction { out: false, others_mm: 0.0, fell: false, force_n: 0.0 };
+    let mut observe = |world: &World| {
+        outcome.others_mm = f64::max(outcome.others_mm, 1e3 * positions.max_displacement_except(world, body));
+        outcome.fell |= positions.any_fallen_except(world, body);
     };
-    let hand = |way: f64| Hand::slide(body, anchor, from + axis * way, turn);
-    let (pulled, mut force) = (frames(&world, length / speed).max(1), 0.0);
-    for i in 1..=pulled {
-        let way = length * i as f64 / pulled as f64;
-        let report = world.step(&Input::hand(hand(way)));
+    let hand = |travel: f64| Hand::slide(body, anchor, from + axis * travel, orientation);
+    let (frames, mut force) = (world.frames(length / speed).max(1), 0.0);
+    for i in 1..=frames {
+        let travel = length * i as f64 / frames as f64;
+        let report = world.step(&Input::hand(hand(travel)));
         force = report.hand.map_or(force, |h| h.force.length().max(force));
-        look(&world);
+        observe(&world);
     }
-    let went = axis.dot(world.pose(body).position - center);
-    for _ in 0..frames(&world, WATCHED) {
-        // still in the hand, or it would fall on the table and might hit the tower
+    let travel = axis.dot(world.pose(body).position - center);
+    for _ in 0..world.frames(HOLD) {
+        // a released block would fall on the table and might hit the tower
         world.step(&Input::hand(Hand { grip: Grip::Carry, ..hand(length) }));
-        look(&world);
+        observe(&world);
     }
-    Extraction { out: went > length - LAG, force_n: force, ..seen }
+    Extraction { out: travel > length - MAX_LAG, force_n: force, ..outcome }
+}
+
+/// Normal of the face nearest to a direction of the block's frame.
+fn end_normal(direction: DVec3) -> DVec3 {
+    DVec3::from(std::array::from_fn::<f64, 3, _>(|k| {
+        if direction[k].abs() == direction.abs().max_element() { direction[k].signum() } else { 0.0 }
+    }))
 }

@@ -1,55 +1,48 @@
-//! Measurements of worlds against exact mechanics.
-//!
-//! Each file measures one thing and says how. What is measured comes back as plain data with units; reports on it are the business of who asks.
-//! Nothing here reads a clock or a file, and the same question gives the same bits in any number of threads.
-//!
-//! ```
-//! use teeter_physics::Params;
-//!
-//! let scene = teeter_scene::config("(1L1)-(010)", &teeter_scene::TowerOptions::exact()).unwrap();
-//! let blocks = teeter_study::forces(&scene, Params::default(), || ())?;
-//! // the block in the middle is loose: its own weight times friction holds it
-//! let expected = 0.4 * scene.blocks[1].mass * scene.gravity;
-//! assert!((blocks[1].forward_n.unwrap() - expected).abs() < 2e-3);
-//! # Ok::<(), teeter_physics::BuildError>(())
-//! ```
+#![doc = include_str!("../README.md")]
 
-mod each;
-mod exact;
+mod breakaway_force;
+mod cholesky;
+mod collapse;
+mod collapse_angle;
+mod drag_rotation;
+mod drop_block;
 mod extraction;
-mod forces;
-mod linear;
-mod places;
-mod placing;
+mod fall;
+mod force_map;
+mod limit_analysis;
+mod long_rest;
+mod max_height;
+mod mechanism;
+mod par_map;
 mod plan;
 mod prediction;
+mod reference_positions;
 mod removal;
 mod rest;
 mod settle;
 mod solid;
-mod start;
-mod stiff;
-mod tilt;
+mod stiff_limit;
 pub mod torsion;
-mod turning;
-mod twist;
 mod xray;
-mod yank;
 
-pub use each::each;
-pub use exact::{Answer, NoAnswer, Patch, Rigid};
+pub use breakaway_force::{MAX_BREAKAWAY_FORCE, SLIP_DISTANCE, breakaway_force};
+pub use collapse::{Collapse, collapse};
+pub use collapse_angle::collapse_angle;
+pub use drag_rotation::{Drag, drag_rotation};
+pub use drop_block::{DroppedBlock, drop_block};
 pub use extraction::{Extraction, extract};
-pub use forces::{BlockForces, forces, forces_from};
-pub use places::{FELL_DROPPED, FELL_MOVED, Places, top};
-pub use placing::{LONGEST, Placing, STILL, let_go};
+pub use fall::{FELL_DROPPED, FELL_MOVED, has_dropped, has_fallen};
+pub use force_map::{BlockForces, force_map, force_map_from};
+pub use limit_analysis::{Breakaway, LimitError, Patch, RigidTower};
+pub use long_rest::{LongRest, long_rest};
+pub use max_height::max_height;
+pub use mechanism::{Mechanism, Spread, mechanism};
+pub use par_map::par_map;
 pub use plan::long_axis;
 pub use prediction::{Prediction, predict};
-pub use removal::{Removal, legal, remove, without};
-pub use rest::{Rest, rest};
-pub use settle::{SETTLE, frames, run, settled};
-pub use solid::{Solid, deepest, deepest_between};
-pub use start::{SLID, STRONGEST, starting_force};
-pub use turning::{Motion, Spread, motion};
-pub use twist::twist;
+pub use reference_positions::ReferencePositions;
+pub use removal::{Removal, removable_blocks, remove, without_block};
+pub use rest::{PILE_SPEED, REST_SPEED, REST_TIME, RestTimer};
+pub use settle::{SETTLE_TIME, settled};
+pub use solid::{Solid, max_penetration, max_penetration_between};
 pub use xray::{Load, xray};
-pub use yank::{Yank, yank};

@@ -1,9 +1,9 @@
-//! Blocks seen from above: rectangles, and the polygon in which two of them overlap.
+//! Plan view of blocks: rectangles, and the polygon in which two of them overlap.
 
 use glam::DVec2;
 use teeter_scene::Block;
 
-/// Corners nearer than this are one, m.
+/// Distance below which two corners are one, m.
 const MERGE: f64 = 1e-7;
 
 /// Height of a block's upper face, m.
@@ -21,13 +21,19 @@ pub fn center(block: &Block) -> DVec2 {
     DVec2::new(block.pos[0], block.pos[1])
 }
 
-/// Directions of length and width.
+/// Unit vectors along length and width.
 fn axes(block: &Block) -> [DVec2; 2] {
     let (sin, cos) = libm::sincos(block.yaw);
     [DVec2::new(cos, sin), DVec2::new(-sin, cos)]
 }
 
-/// Direction of the longer horizontal edge of a block: forwards is along it, backwards against it.
+/// Unit vector along the longer horizontal edge of a block: forwards is along it, backwards against
+/// it.
+///
+/// ```
+/// let scene = teeter_scene::named("block").unwrap();
+/// assert_eq!(teeter_study::long_axis(&scene.blocks[0]), glam::DVec2::X);
+/// ```
 pub fn long_axis(block: &Block) -> DVec2 {
     axes(block)[usize::from(block.size[1] > block.size[0])]
 }
@@ -39,7 +45,8 @@ pub fn corners(block: &Block) -> Vec<DVec2> {
     vec![c - u - v, c + u - v, c + u + v, c - u + v]
 }
 
-/// Corners of the region in which two blocks overlap, anticlockwise; empty where they do not (Sutherland and Hodgman 1974).
+/// Corners of the region in which two blocks overlap, anticlockwise; empty where they do not
+/// (Sutherland and Hodgman 1974).
 pub fn overlap(a: &Block, b: &Block) -> Vec<DVec2> {
     let mut region = corners(a);
     let edges = corners(b);
@@ -59,14 +66,14 @@ pub fn overlap(a: &Block, b: &Block) -> Vec<DVec2> {
         }
         region = next;
     }
-    let mut kept: Vec<DVec2> = Vec::new();
+    let mut merged: Vec<DVec2> = Vec::new();
     for corner in region {
-        if kept.iter().all(|p| p.distance(corner) > MERGE) {
-            kept.push(corner);
+        if merged.iter().all(|p| p.distance(corner) > MERGE) {
+            merged.push(corner);
         }
     }
-    // what is left of two that only touch is no region
-    if kept.len() < 3 || area(&kept) < MERGE * MERGE { Vec::new() } else { kept }
+    // blocks that touch along an edge leave a sliver
+    if merged.len() < 3 || area(&merged) < MERGE * MERGE { Vec::new() } else { merged }
 }
 
 /// Area of a polygon, m².
@@ -75,9 +82,9 @@ pub fn area(polygon: &[DVec2]) -> f64 {
     0.5 * (0..n).map(|i| polygon[i].perp_dot(polygon[(i + 1) % n])).sum::<f64>()
 }
 
-/// Convex hull of some places, anticlockwise (Andrew's monotone chain, 1979).
-pub fn hull(places: &[DVec2]) -> Vec<DVec2> {
-    let mut sorted = places.to_vec();
+/// Convex hull of points, anticlockwise (Andrew's monotone chain, 1979).
+pub fn convex_hull(points: &[DVec2]) -> Vec<DVec2> {
+    let mut sorted = points.to_vec();
     sorted.sort_by(|p, q| p.x.total_cmp(&q.x).then(p.y.total_cmp(&q.y)));
     let chain = |order: &mut dyn Iterator<Item = &DVec2>| {
         let mut chain: Vec<DVec2> = Vec::new();
@@ -90,7 +97,7 @@ pub fn hull(places: &[DVec2]) -> Vec<DVec2> {
             }
             chain.push(p);
         }
-        // the last of one chain is the first of the other
+        // the last point of one chain is the first of the other
         chain.pop();
         chain
     };
@@ -99,9 +106,10 @@ pub fn hull(places: &[DVec2]) -> Vec<DVec2> {
     hull
 }
 
-/// How far one can go from a place within a convex polygon (anticlockwise) along a direction, m; none where the place is outside.
-pub fn way_within(polygon: &[DVec2], from: DVec2, direction: DVec2) -> Option<f64> {
-    let mut way = f64::INFINITY;
+/// Distance from a point within a convex polygon (anticlockwise) to its edge along a direction, m;
+/// none where the point is outside.
+pub fn distance_to_edge(polygon: &[DVec2], from: DVec2, direction: DVec2) -> Option<f64> {
+    let mut distance = f64::INFINITY;
     for (i, &p) in polygon.iter().enumerate() {
         let edge = polygon[(i + 1) % polygon.len()] - p;
         let (inside, approach) = (edge.perp_dot(from - p), -edge.perp_dot(direction));
@@ -109,10 +117,10 @@ pub fn way_within(polygon: &[DVec2], from: DVec2, direction: DVec2) -> Option<f6
             return None;
         }
         if approach > 0.0 {
-            way = way.min(inside / approach);
+            distance = distance.min(inside / approach);
         }
     }
-    Some(way.max(0.0))
+    Some(distance.max(0.0))
 }
 
 #[cfg(test)]
@@ -132,38 +140,39 @@ mod tests {
     }
 
     #[test]
-    fn turned_blocks_overlap_in_what_both_hold() {
+    fn the_overlap_of_rotated_blocks_has_the_area_of_their_common_cells() {
         let (a, b) = (block(0.0, 0.0, 0.3), block(0.03, 0.01, -0.2));
         let region = overlap(&a, &b);
-        // by counting cells
-        let holds = |block: &Block, p: DVec2| {
+        let contains = |block: &Block, p: DVec2| {
             let [u, v] = axes(block);
             let d = p - center(block);
             d.dot(u).abs() < 0.0405 && d.dot(v).abs() < 0.0134
         };
         let n = 1000;
         let cell = |i: usize| 0.1 * ((i as f64 + 0.5) / n as f64 - 0.5);
-        let inside =
-            (0..n * n).map(|i| DVec2::new(cell(i % n), cell(i / n))).filter(|&p| holds(&a, p) && holds(&b, p)).count();
+        let inside = (0..n * n)
+            .map(|i| DVec2::new(cell(i % n), cell(i / n)))
+            .filter(|&p| contains(&a, p) && contains(&b, p))
+            .count();
         let counted = inside as f64 * 0.01 / (n * n) as f64;
         assert!((area(&region) / counted - 1.0).abs() < 2e-3, "{} and {counted}", area(&region));
     }
 
     #[test]
-    fn the_way_to_the_edge_of_a_hull() {
-        let places: Vec<DVec2> =
+    fn the_distance_to_the_edge_of_a_hull_is_that_along_the_direction() {
+        let points: Vec<DVec2> =
             [[0.0, 0.0], [2.0, 0.0], [1.0, 0.5], [2.0, 1.0], [0.0, 1.0], [1.0, 1.0]].map(DVec2::from).to_vec();
-        let hull = hull(&places);
+        let hull = convex_hull(&points);
         assert_eq!(hull.len(), 4);
         assert!((area(&hull) - 2.0).abs() < 1e-12);
         let from = DVec2::new(0.5, 0.25);
-        assert_eq!(way_within(&hull, from, DVec2::X), Some(1.5));
-        assert_eq!(way_within(&hull, from, DVec2::NEG_Y), Some(0.25));
-        assert_eq!(way_within(&hull, DVec2::new(-0.1, 0.5), DVec2::X), None);
+        assert_eq!(distance_to_edge(&hull, from, DVec2::X), Some(1.5));
+        assert_eq!(distance_to_edge(&hull, from, DVec2::NEG_Y), Some(0.25));
+        assert_eq!(distance_to_edge(&hull, DVec2::new(-0.1, 0.5), DVec2::X), None);
     }
 
     #[test]
-    fn neighbours_do_not_overlap() {
+    fn neighbouring_blocks_do_not_overlap() {
         assert!(overlap(&block(0.0, 0.0, 0.0), &block(0.0, 0.0268, 0.0)).is_empty());
         assert!(overlap(&block(0.0, 0.0, 0.0), &block(0.0, 0.0271, 0.0)).is_empty());
     }

@@ -1,49 +1,63 @@
-//! What the engine says of a scene.
+//! Prediction for a labelled scene: fall, or angle of collapse.
 
 use serde::Serialize;
 use teeter_physics::{BuildError, Input, Params, World};
 use teeter_scene::Scene;
 
-use crate::places::Places;
-use crate::tilt;
+use crate::collapse_angle::collapse_angle;
+use crate::reference_positions::ReferencePositions;
 
-/// How long a tower is watched, s.
-const WATCHED: f64 = 5.0;
+/// Simulated time of an upright tower, s.
+const DURATION: f64 = 5.0;
 
-/// A prediction for one scene.
+/// Prediction for one scene.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 #[serde(untagged)]
 pub enum Prediction {
-    /// Whether a tower falls.
+    /// Prediction for an upright tower.
     Config {
-        /// The scene's name.
+        /// Name of the scene.
         name: String,
-        /// Whether any block fell within 5 s.
+        /// True when any block fell within 5 s, see [`crate::has_fallen`].
         fell: bool,
     },
-    /// At what angle a tilted tower collapses.
+    /// Prediction for a tilted tower.
     Tilt {
-        /// The scene's name.
+        /// Name of the scene.
         name: String,
-        /// Degrees; null where it does not fall at any angle tried.
+        /// Angle of collapse, degrees; none where the tower stands at every angle tried.
         tilt_deg: Option<f64>,
     },
 }
 
-/// Answers the question that the scene asks: its angle of collapse where it has `tilt_az`, whether it falls otherwise.
+/// Predicts the angle of collapse of a scene with `tilt_az`, and the fall of any other.
+///
+/// # Errors
+/// When the world cannot be built.
+///
+/// ```
+/// use teeter_physics::Params;
+/// use teeter_study::{Prediction, predict};
+///
+/// let scene = teeter_scene::named("column").unwrap();
+/// let prediction = predict(&scene, Params::default())?;
+/// assert_eq!(prediction, Prediction::Config { name: "column".into(), fell: false });
+/// # Ok::<(), teeter_physics::BuildError>(())
+/// ```
 pub fn predict(scene: &Scene, params: Params) -> Result<Prediction, BuildError> {
     let name = scene.name.clone();
     match scene.tilt_az {
-        Some(az) => Ok(Prediction::Tilt { name, tilt_deg: tilt::collapse(scene, az, params)? }),
+        Some(azimuth) => Ok(Prediction::Tilt { name, tilt_deg: collapse_angle(scene, azimuth, params)? }),
         None => Ok(Prediction::Config { name, fell: falls(scene, params)? }),
     }
 }
 
+/// Returns true if a block of the upright tower falls.
 fn falls(scene: &Scene, params: Params) -> Result<bool, BuildError> {
     let mut world = World::new(scene, params)?;
-    let start = Places::of(&world);
+    let start = ReferencePositions::of(&world);
     let input = Input::default();
-    while world.time() < WATCHED - params.frame / 2.0 {
+    while world.time() < DURATION - params.frame / 2.0 {
         let report = world.step(&input);
         if !report.quarantined.is_empty() || start.any_fallen(&world) {
             return Ok(true);

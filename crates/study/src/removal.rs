@@ -1,73 +1,104 @@
-//! A tower without one of its blocks: whether it stands, and whether it goes on to.
+//! Removal of one block: stability of a tower that is built without it.
 //!
-//! It is built without the block and settles. That asks the question of statics, which rigid blocks answer exactly; how the block got out is the business
-//! of [`crate::extract`].
+//! Building the tower without the block asks the question of statics, which rigid blocks answer
+//! exactly. How the block comes out is the subject of [`crate::extract`].
 
 use serde::Serialize;
 use teeter_physics::{BuildError, Input, Params, World};
 use teeter_scene::Scene;
 
-use crate::exact::{NoAnswer, Rigid};
-use crate::places::Places;
-use crate::settle::{SETTLE, frames};
+use crate::limit_analysis::{LimitError, RigidTower};
+use crate::reference_positions::ReferencePositions;
+use crate::settle::SETTLE_TIME;
 
-/// How long the tower is watched, s.
-const WATCHED: f64 = 5.0;
+/// Simulated time of a tower without a block, s.
+const DURATION: f64 = 5.0;
 
-/// What became of it.
+/// Outcome of a removal.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 pub struct Removal {
     /// Id of the block.
     pub id: u32,
-    /// Whether the tower fell: a block came down by more than 3 mm, or went by more than 5 mm once the tower had settled. A tower may lean by more than that while it
-    /// settles, and stand.
+    /// True when the tower fell: a block dropped at any time, or fell from where it was once the
+    /// tower had settled. A standing tower may lean by more than a fall while it settles.
     pub fell: bool,
-    /// Furthest that any block was at the end from where it was built, mm.
+    /// Largest displacement of any block from where it was built, at the end, mm.
     pub lean_mm: f64,
-    /// Whether rigid blocks would; none where the programme was not solved.
+    /// True when a tower of rigid blocks falls; none where the linear programme was not solved.
     pub exact_fell: Option<bool>,
-    /// Furthest that any block was at the end from where it was at 2 s, mm, where it stands.
+    /// Largest displacement of any block between [`SETTLE_TIME`] and the end, mm; 0 after a fall.
     pub creep_mm: f64,
 }
 
-/// The blocks that the rules let a player take: those below the highest full row. Of a full tower, all below the top row.
-pub fn legal(scene: &Scene) -> Vec<usize> {
+/// Returns the indices of the blocks that the rules let a player take from a full tower: all below
+/// the top row.
+///
+/// ```
+/// use teeter_scene::{TowerOptions, config};
+///
+/// let scene = config("(111)-(111)", &TowerOptions::exact())?;
+/// assert_eq!(teeter_study::removable_blocks(&scene), [0, 1, 2]);
+/// # Ok::<(), teeter_scene::SceneError>(())
+/// ```
+pub fn removable_blocks(scene: &Scene) -> Vec<usize> {
     let rows = scene.blocks.len() / 3;
     (0..3 * rows.saturating_sub(1)).collect()
 }
 
-/// The scene without one of its blocks.
-pub fn without(scene: &Scene, block: usize) -> Scene {
+/// Returns the scene without one of its blocks.
+///
+/// # Panics
+/// When the scene has no block of that index.
+///
+/// ```
+/// let scene = teeter_scene::named("column").unwrap();
+/// assert_eq!(teeter_study::without_block(&scene, 3).blocks.len(), 9);
+/// ```
+pub fn without_block(scene: &Scene, block: usize) -> Scene {
     let mut scene = scene.clone();
     scene.blocks.remove(block);
     scene
 }
 
-/// Builds the tower without a block and watches it.
+/// Builds the tower without a block and simulates it for 5 s.
 ///
 /// # Errors
 /// When the world cannot be built.
+///
+/// # Panics
+/// When the scene has no block of that index.
+///
+/// ```
+/// use teeter_physics::Params;
+/// use teeter_scene::{TowerOptions, config};
+///
+/// let scene = config("(010)-(111)", &TowerOptions::exact()).unwrap();
+/// let removal = teeter_study::remove(&scene, 0, Params::default())?;
+/// assert!(removal.fell && removal.exact_fell == Some(true));
+/// # Ok::<(), teeter_physics::BuildError>(())
+/// ```
 pub fn remove(scene: &Scene, block: usize, params: Params) -> Result<Removal, BuildError> {
-    let rest = without(scene, block);
-    let exact_fell = match Rigid::stands(&rest) {
+    let rest = without_block(scene, block);
+    let exact_fell = match RigidTower::stands(&rest) {
         Ok(()) => Some(false),
-        Err(NoAnswer::Falls) => Some(true),
-        Err(NoAnswer::Unsolved) => None,
+        Err(LimitError::NoEquilibrium) => Some(true),
+        Err(LimitError::Unsolved) => None,
     };
     let mut world = World::new(&rest, params)?;
-    let start = Places::of(&world);
+    let settling = world.frames(SETTLE_TIME);
+    let start = ReferencePositions::of(&world);
     let (mut fell, mut settled) = (false, start.clone());
-    for i in 1..=frames(&world, WATCHED) {
+    for i in 1..=world.frames(DURATION) {
         fell |= !world.step(&Input::default()).quarantined.is_empty() || start.any_dropped(&world);
-        if i == frames(&world, SETTLE) {
-            settled = Places::of(&world);
+        if i == settling {
+            settled = ReferencePositions::of(&world);
         }
-        fell |= i > frames(&world, SETTLE) && settled.any_fallen(&world);
+        fell |= i > settling && settled.any_fallen(&world);
         if fell {
             break;
         }
     }
-    let creep_mm = if fell { 0.0 } else { 1e3 * settled.furthest(&world) };
-    let lean_mm = 1e3 * start.furthest(&world);
+    let creep_mm = if fell { 0.0 } else { 1e3 * settled.max_displacement(&world) };
+    let lean_mm = 1e3 * start.max_displacement(&world);
     Ok(Removal { id: scene.blocks[block].id, fell, lean_mm, exact_fell, creep_mm })
 }

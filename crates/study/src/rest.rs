@@ -1,49 +1,44 @@
-//! Long rest: whether a tower that stands goes on to stand still.
+//! Definition of rest: the speeds and the time by which a study calls a tower or a pile at rest.
 
-use serde::Serialize;
-use teeter_physics::{Input, World};
+/// Speed of the fastest block below which a tower is at rest after [`REST_TIME`], m/s. In that time
+/// a block moves by 25 µm at most, a quarter of the default scatter of heights.
+pub const REST_SPEED: f64 = 1e-4;
 
-use crate::places::Places;
-use crate::settle::frames;
+/// Time below [`REST_SPEED`] that makes rest, s. A block that rocks has no speed at each end of its
+/// swing, but not for so long.
+pub const REST_TIME: f64 = 0.25;
 
-/// A tower at rest, with nothing asleep.
-#[derive(Debug, Clone, PartialEq, Serialize)]
-pub struct Rest {
-    /// Simulated time, s.
-    pub seconds: f64,
-    /// Furthest that any block was from its place at the start, looked at every minute and at the end, m.
-    pub creep_m: f64,
-    /// Largest kinetic energy at any look, J.
-    pub kinetic_j: f64,
-    /// Largest change of potential energy from that at the start, J.
-    pub potential_j: f64,
-    /// Hash of the state at the end.
-    pub hash: String,
+/// Speed of the fastest block below which a collapsed pile is quiet, m/s. Blocks of a pile stand on
+/// edges and corners and roll slowly for seconds; a pile that contacts drive apart is faster.
+pub const PILE_SPEED: f64 = 5e-3;
+
+/// Timer of rest.
+///
+/// ```
+/// use teeter_study::{REST_SPEED, RestTimer};
+///
+/// let mut timer = RestTimer::default();
+/// assert!(!timer.advance(0.2, 0.5 * REST_SPEED));
+/// assert!(!timer.advance(0.2, 2.0 * REST_SPEED));
+/// assert!(!timer.advance(0.2, 0.5 * REST_SPEED));
+/// assert!(timer.advance(0.2, 0.5 * REST_SPEED));
+/// assert_eq!(timer.elapsed(), 0.4);
+/// ```
+#[derive(Debug, Clone, Copy, Default, PartialEq)]
+pub struct RestTimer {
+    elapsed: f64,
 }
 
-/// Lets a settled world rest for `seconds`; `minute` is called after each minute.
-pub fn rest(mut world: World, seconds: f64, gravity: f64, minute: impl Fn()) -> Rest {
-    let (places, start) = (Places::of(&world), energies(&world, gravity));
-    let mut seen = Rest { seconds, creep_m: 0.0, kinetic_j: 0.0, potential_j: 0.0, hash: String::new() };
-    let (all, a_minute) = (frames(&world, seconds), frames(&world, 60.0));
-    for i in 1..=all {
-        world.step(&Input::default());
-        if i % a_minute == 0 || i == all {
-            let now = energies(&world, gravity);
-            seen.creep_m = seen.creep_m.max(places.furthest(&world));
-            seen.kinetic_j = seen.kinetic_j.max(now.0);
-            seen.potential_j = seen.potential_j.max((now.1 - start.1).abs());
-            minute();
-        }
+impl RestTimer {
+    /// Advances by `seconds` in which the fastest block had `max_speed` (m/s); returns true if the
+    /// tower is at rest. A speed that is not a number counts as motion.
+    pub fn advance(&mut self, seconds: f64, max_speed: f64) -> bool {
+        self.elapsed = if max_speed < REST_SPEED { self.elapsed + seconds } else { 0.0 };
+        self.elapsed >= REST_TIME
     }
-    Rest { hash: format!("{:016x}", world.hash()), ..seen }
-}
 
-/// Kinetic energy of the centres and potential energy, J.
-fn energies(world: &World, gravity: f64) -> (f64, f64) {
-    let of = |body| {
-        let (v, m) = (world.twist(body).velocity.to_array(), world.mass(body));
-        (0.5 * m * v.iter().map(|v| v * v).sum::<f64>(), m * gravity * world.pose(body).position.z)
-    };
-    world.bodies().map(of).fold((0.0, 0.0), |sum, e| (sum.0 + e.0, sum.1 + e.1))
+    /// Time since the last motion, s.
+    pub fn elapsed(&self) -> f64 {
+        self.elapsed
+    }
 }

@@ -1,29 +1,27 @@
 //! Towers brought to rest.
 
-use teeter_physics::{BuildError, Input, Params, World};
+use teeter_physics::{BuildError, Params, World};
 use teeter_scene::Scene;
 
-/// How long a tower settles before anything is measured on it, s: gravity grows for 0.3 s, and a second later nothing moves by a nanometre.
-pub const SETTLE: f64 = 2.0;
+/// Time that a tower settles before a measurement, s. Gravity grows for 0.3 s, and a second later
+/// nothing moves by a nanometre.
+pub const SETTLE_TIME: f64 = 2.0;
 
-/// A world of `scene` that has settled for [`SETTLE`].
+/// Builds the world of `scene` and lets it settle for [`SETTLE_TIME`].
 ///
 /// # Errors
 /// When the world cannot be built.
+///
+/// ```
+/// use teeter_physics::Params;
+/// use teeter_study::{SETTLE_TIME, settled};
+///
+/// let world = settled(&teeter_scene::named("column").unwrap(), Params::default())?;
+/// assert!((world.time() - SETTLE_TIME).abs() < 1e-9);
+/// # Ok::<(), teeter_physics::BuildError>(())
+/// ```
 pub fn settled(scene: &Scene, params: Params) -> Result<World, BuildError> {
     let mut world = World::new(scene, params)?;
-    run(&mut world, SETTLE, &Input::default());
+    world.run_for(SETTLE_TIME);
     Ok(world)
-}
-
-/// Steps for `seconds` with the same input.
-pub fn run(world: &mut World, seconds: f64, input: &Input) {
-    for _ in 0..frames(world, seconds) {
-        world.step(input);
-    }
-}
-
-/// The number of frames that `seconds` are.
-pub fn frames(world: &World, seconds: f64) -> usize {
-    (seconds / world.params().frame).round() as usize
 }

@@ -1,35 +1,50 @@
-//! The X-ray: what each block of a world carries, and how tight it is.
+//! X-ray: load and tightness of each block of a world.
 
 use serde::Serialize;
 use teeter_physics::{BodyId, World};
 
-/// A force below this is none, N: half of the weight of the lightest thing that lies on a block is far above it.
-const NONE: f64 = 1e-3;
-/// A contact whose normal is this much along gravity bears weight; the others are between sides.
-const UPRIGHT: f64 = 0.7;
+/// Load below which a block is loose, N. The lightest block that can lie on it weighs more than
+/// a hundred times as much.
+const MIN_LOAD: f64 = 1e-3;
+/// Vertical component of the normal from which a contact bears weight; others are between sides.
+const MIN_VERTICAL: f64 = 0.7;
 
-/// What a block carries.
+/// Load of a block.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Serialize)]
 pub struct Load {
     /// Normal force on the lower face, N.
     pub below_n: f64,
     /// Normal force on the upper face, N: the load.
     pub above_n: f64,
-    /// The least force that starts it sliding straight, N: friction times the force below it and the lesser of the force above it and of the force
-    /// on the upper faces of those that share its load. Friction can hold what the tower stored when it settled besides, and less where what
-    /// lies on it can turn.
+    /// Force that starts the block sliding straight, N: friction times (force below + the smaller
+    /// of the force above it and of the force above those that share its load).
+    ///
+    /// The actual force is larger by what friction stored while the tower settled, and smaller
+    /// where the tower above can turn.
     pub tightness_n: f64,
 }
 
 impl Load {
-    /// Whether nothing presses on it.
+    /// Returns true if nothing presses on the block.
     pub fn is_loose(&self) -> bool {
-        self.above_n < NONE
+        self.above_n < MIN_LOAD
     }
 }
 
-/// The X-ray of a world with static friction `friction`, a load a block in order of creation. Down is -z. What shares the load of a block is what
-/// bears any of the blocks that it bears: in a tower the rest of its row.
+/// Returns the load of each block of a world with static friction `friction`, in order of creation.
+/// Down is -z.
+///
+/// Blocks share a load when they bear the same block: in a tower the blocks of a row.
+///
+/// ```
+/// use teeter_physics::Params;
+/// use teeter_study::{settled, xray};
+///
+/// let scene = teeter_scene::config("(1L1)-(010)", &teeter_scene::TowerOptions::exact()).unwrap();
+/// let loads = xray(&settled(&scene, Params::default())?, scene.friction);
+/// assert!(loads[1].is_loose() && !loads[0].is_loose());
+/// # Ok::<(), teeter_physics::BuildError>(())
+/// ```
 pub fn xray(world: &World, friction: f64) -> Vec<Load> {
     let count = world.len();
     let mut loads = vec![Load::default(); count];
@@ -38,10 +53,10 @@ pub fn xray(world: &World, friction: f64) -> Vec<Load> {
     for body in world.bodies() {
         let i = body.index();
         for contact in world.contacts(body) {
-            if contact.normal.z > UPRIGHT {
+            if contact.normal.z > MIN_VERTICAL {
                 loads[i].below_n += contact.force;
                 bearers[i].extend(contact.other);
-            } else if contact.normal.z < -UPRIGHT {
+            } else if contact.normal.z < -MIN_VERTICAL {
                 loads[i].above_n += contact.force;
                 on_top[i].extend(contact.other);
             }

@@ -1,9 +1,9 @@
-//! What a hand and an arm do to a tower, in cases of which the outcome is beyond doubt.
+//! Extraction, removal, drop, collapse and long rest, in cases with a certain outcome.
 
 use glam::DVec3;
 use teeter_physics::{BodyId, Params, World};
 use teeter_scene::{Block, TowerOptions, config, loose, named};
-use teeter_study::{extract, legal, let_go, remove, rest, settled, yank};
+use teeter_study::{collapse, drop_block, extract, long_rest, removable_blocks, remove, settled};
 
 fn params() -> Params {
     Params { sleep: false, ..Params::default() }
@@ -26,20 +26,20 @@ fn a_loose_block_comes_out_and_a_tight_one_does_not() {
 }
 
 #[test]
-fn a_block_let_go_comes_to_rest_on_top() {
+fn a_dropped_block_comes_to_rest_on_top() {
     let mut scene = config("(111)-(111)", &TowerOptions::exact()).unwrap();
     let block = Block { id: 99, pos: [0.0, 0.0, 0.036 + 0.009 + 0.03], ..scene.blocks[0].clone() };
     scene.blocks.push(block);
-    let placed = let_go(World::new(&scene, params()).unwrap(), BodyId(6), 0.01);
+    let placed = drop_block(World::new(&scene, params()).unwrap(), BodyId(6), 0.01);
     assert!(placed.stays && placed.others_mm > 0.001 && placed.others_mm < 1.0, "{placed:?}");
-    // 1 cm takes 45 ms, and some bounces come after
+    // a fall of 1 cm takes 45 ms, and some bounces follow
     assert!(placed.rest_s.is_some_and(|t| t > 0.045 && t < 2.0), "{placed:?}");
 }
 
 #[test]
-fn a_bottom_block_that_bears_alone_cannot_be_taken() {
+fn a_tower_falls_without_a_block_that_bears_alone() {
     let scene = config("(010)-(111)-(111)", &TowerOptions::exact()).unwrap();
-    assert_eq!(legal(&scene).len(), 3);
+    assert_eq!(removable_blocks(&scene).len(), 3);
     let gone = remove(&scene, 0, params()).unwrap();
     assert!(gone.fell && gone.exact_fell == Some(true), "{gone:?}");
     let full = config("(111)-(111)-(111)", &TowerOptions::exact()).unwrap();
@@ -47,18 +47,18 @@ fn a_bottom_block_that_bears_alone_cannot_be_taken() {
     assert!(!gone.fell && gone.exact_fell == Some(false) && gone.creep_mm < 1e-4, "{gone:?}");
 }
 
-/// The row is drawn as slowly as drags along what lies on it; at 3 m/s that comes straight down by a row.
+/// At 1 m/s the row drags along the blocks above it; at 3 m/s they would fall straight by a row.
 #[test]
-fn a_torn_tower_ends_as_a_heap_of_solid_blocks() {
+fn a_collapsed_tower_ends_as_a_pile_without_penetration() {
     let world = settled(&named("loose").unwrap(), Params { frame: 1.0 / 240.0, ..params() }).unwrap();
-    let torn = yank(&world, &[3, 4, 5].map(BodyId), DVec3::new(1.0, 0.0, 0.0), 2.0);
+    let torn = collapse(&world, &[3, 4, 5].map(BodyId), DVec3::new(1.0, 0.0, 0.0), 2.0);
     assert!(torn.moved > 12 && !torn.lost && !torn.through && torn.lasting_s < 0.02, "{torn:?}");
     assert!(torn.quiet_s.is_some(), "{torn:?}");
 }
 
 #[test]
-fn a_tower_rests() {
+fn a_tower_at_rest_does_not_creep() {
     let scene = named("test-6").unwrap();
-    let seen = rest(settled(&scene, params()).unwrap(), 20.0, scene.gravity, || ());
-    assert!(seen.creep_m < 1e-8 && seen.kinetic_j < 1e-12 && seen.potential_j < 1e-9, "{seen:?}");
+    let record = long_rest(settled(&scene, params()).unwrap(), 20.0, scene.gravity, || ());
+    assert!(record.creep_m < 1e-8 && record.kinetic_j < 1e-12 && record.potential_j < 1e-9, "{record:?}");
 }

@@ -8,7 +8,7 @@ use teeter::{Params, TowerOptions};
 fn main() -> Result<(), Box<dyn std::error::Error>> {
     let options = TowerOptions::exact();
     let scene = teeter::scene::config("(1L1)-(111)-(L1L)-(010)", &options)?;
-    let map = teeter::study::forces(&scene, Params::default(), || ())?;
+    let map = teeter::study::force_map(&scene, Params::default(), || ())?;
 
     println!("block  breakaway force, N  rigid blocks, N  load, N");
     for block in &map {

@@ -9,7 +9,7 @@ const TOWERS: u64 = 8;
 
 fn main() -> Result<(), Box<dyn std::error::Error>> {
     let seeds: Vec<u64> = (1..=TOWERS).collect();
-    let results = teeter::study::each(&seeds, |&seed| -> Result<(usize, u64), String> {
+    let results = teeter::study::par_map(&seeds, |&seed| -> Result<(usize, u64), String> {
         let options = TowerOptions { rows: 12, seed, ..TowerOptions::default() };
         let scene = teeter::scene::tower(&options).map_err(|e| e.to_string())?;
         let mut world = World::new(&scene, Params::default()).map_err(|e| e.to_string())?;

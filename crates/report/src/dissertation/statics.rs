@@ -9,7 +9,7 @@ use super::column::{COLUMNS, Column, FRAMES, Tower};
 use super::page::table;
 use super::picture;
 use crate::error::Error;
-use teeter_study::{FELL_DROPPED, FELL_MOVED};
+use teeter_study::has_fallen;
 
 /// The tests: scene, configuration, and what the dissertation says of the real tower and of its own.
 pub const TESTS: [(&str, &str, bool); 6] = [
@@ -38,7 +38,7 @@ pub fn stands(column: &Column, name: &str, mut look: impl FnMut(&dyn Tower)) -> 
     let moves =
         |of: fn(DVec3) -> f64| tower.centres().iter().zip(&start).map(|(now, was)| of(*now - *was)).fold(0.0, f64::max);
     let (moved, dropped) = (moves(DVec3::length), moves(|way| -way.z));
-    Ok((moved <= FELL_MOVED && dropped <= FELL_DROPPED, moved))
+    Ok((!has_fallen(moved, dropped), moved))
 }
 
 /// Runs them.

@@ -2,7 +2,7 @@
 
 use serde_json::json;
 use teeter_scene::{Block, Scene, TowerOptions, tower};
-use teeter_study::{forces, long_axis};
+use teeter_study::{force_map, long_axis};
 
 use super::plot::{Axis, Plot, Series};
 use super::section::{Section, Size, params};
@@ -113,7 +113,7 @@ pub fn section(sheet: &Sheet, _size: &Size) -> Result<Section, Error> {
         return Err("the data sheet has no pulls to compare".into());
     }
     let bar = progress(sheet.scene.blocks.len() as u64, "blocks pulled");
-    let blocks = forces(&sheet.scene, params(), || bar.inc(1)).map_err(|e| Error::at(&sheet.scene.name, e))?;
+    let blocks = force_map(&sheet.scene, params(), || bar.inc(1)).map_err(|e| Error::at(&sheet.scene.name, e))?;
     bar.finish_and_clear();
     let (mut pairs, mut rows, mut met, mut found) = (Vec::new(), Vec::new(), Vec::new(), Vec::new());
     let loose_below = 1.5

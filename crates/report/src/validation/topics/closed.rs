@@ -4,7 +4,7 @@ use glam::DVec3;
 use serde_json::json;
 use teeter_physics::{BodyId, Input, Params, Twist, World};
 use teeter_scene::{Block, Form, Scene, named};
-use teeter_study::{each, frames, run, settled, starting_force, torsion};
+use teeter_study::{breakaway_force, par_map, settled, torsion};
 
 use super::super::plot::{Axis, Plot, Series};
 use super::super::section::{Section, Size, params};
@@ -57,7 +57,7 @@ pub fn measure(size: &Size) -> Result<Section, Error> {
     for direction in [0.0, 30.0, 45.0, 90.0_f64] {
         let (sin, cos) = libm::sincos(direction.to_radians());
         let world = settled(&one(form, SIZE, 0.4, None), params()).map_err(built)?;
-        let force = starting_force(&world, ONE, DVec3::new(cos, sin, 0.0)).unwrap_or(f64::NAN);
+        let force = breakaway_force(&world, ONE, DVec3::new(cos, sin, 0.0)).unwrap_or(f64::NAN);
         off.push(row(
             &format!("force that starts a block at {direction} degrees to its length"),
             force,
@@ -67,11 +67,11 @@ pub fn measure(size: &Size) -> Result<Section, Error> {
     }
     for mu in [0.25, 0.5] {
         let world = settled(&one(form, SIZE, mu, None), params()).map_err(built)?;
-        let force = starting_force(&world, ONE, DVec3::X).unwrap_or(f64::NAN);
+        let force = breakaway_force(&world, ONE, DVec3::X).unwrap_or(f64::NAN);
         off.push(row(&format!("force that starts a block, mu {mu}"), force, mu * 0.0196 * 9.81, "N"));
     }
     let kinetic = settled(&one(form, SIZE, 0.5, Some(0.35)), params()).map_err(built)?;
-    let force = starting_force(&kinetic, ONE, DVec3::X).unwrap_or(f64::NAN);
+    let force = breakaway_force(&kinetic, ONE, DVec3::X).unwrap_or(f64::NAN);
     off.push(row("force that starts a block, static 0.5 and kinetic 0.35", force, 0.5 * 0.0196 * 9.81, "N"));
     section.goal(
         "slides and starts, furthest from Coulomb",
@@ -107,7 +107,7 @@ pub fn measure(size: &Size) -> Result<Section, Error> {
     let mut bounces = Series { name: "mean of 40 drops".into(), line: true, ..Series::default() };
     for e in [0.45, 0.5, 0.55, 0.6] {
         let drops: Vec<u32> = (0..40).collect();
-        let ratios = each(&drops, |&i| bounce(form, e, 0.01 + 1.37e-6 * f64::from(i)))
+        let ratios = par_map(&drops, |&i| bounce(form, e, 0.01 + 1.37e-6 * f64::from(i)))
             .into_iter()
             .collect::<Result<Vec<f64>, _>>()?;
         bounces.points.push((e, mean(&ratios)));
@@ -132,9 +132,9 @@ fn column(size: &Size) -> Result<(f64, Vec<f64>), Error> {
     let world = settled(&scene, params()).map_err(built)?;
     let of = |&body: &u32| {
         let expected = scene.friction * scene.blocks[0].mass * scene.gravity * f64::from(10 - body);
-        [DVec3::X, DVec3::NEG_X].map(|axis| starting_force(&world, BodyId(body), axis).unwrap_or(f64::NAN) / expected)
+        [DVec3::X, DVec3::NEG_X].map(|axis| breakaway_force(&world, BodyId(body), axis).unwrap_or(f64::NAN) / expected)
     };
-    let ratios: Vec<f64> = each(&blocks, of).into_iter().flatten().collect();
+    let ratios: Vec<f64> = par_map(&blocks, of).into_iter().flatten().collect();
     // a block that did not move counts as far off
     let off: Vec<f64> = ratios.iter().map(|r| if r.is_nan() { f64::INFINITY } else { (r - 1.0).abs() }).collect();
     Ok((largest(&off), ratios))
@@ -144,7 +144,7 @@ fn stopping(form: Form, friction: f64, kinetic: Option<f64>) -> Result<f64, Erro
     let mut world = settled(&one(form, SIZE, friction, kinetic), params()).map_err(built)?;
     let start = world.pose(ONE).position.x;
     world.set_twist(ONE, Twist::linear(DVec3::new(0.5, 0.0, 0.0)));
-    run(&mut world, 1.0, &Input::default());
+    world.run_for(1.0);
     Ok(world.pose(ONE).position.x - start)
 }
 
@@ -154,9 +154,9 @@ fn incline(form: Form) -> Result<(f64, f64), Error> {
         let mut world = World::new(&one(form, SIZE, 0.4, None), params()).map_err(built)?;
         let gravity = 9.81 / (1.0 + slope * slope).sqrt() * DVec3::new(slope, 0.0, -1.0);
         let input = Input::gravity(gravity);
-        run(&mut world, 1.0, &input);
+        world.run_with(1.0, &input);
         let start = world.pose(ONE).position;
-        run(&mut world, 10.0, &input);
+        world.run_with(10.0, &input);
         Ok(world.pose(ONE).position.distance(start))
     };
     Ok((way(0.4 * 0.998)?, way(0.4 * 1.005)?))
@@ -167,7 +167,7 @@ fn spin_down(form: Form, shape: [f64; 3]) -> Result<f64, Error> {
     let short = Params { frame: 1.0 / 2400.0, ..params() };
     let mut world = settled(&one(form, shape, 0.4, None), short).map_err(built)?;
     world.set_twist(ONE, Twist::angular(DVec3::new(0.0, 0.0, 10.0)));
-    for i in 1..=frames(&world, 1.0) {
+    for i in 1..=world.frames(1.0) {
         world.step(&Input::default());
         if world.twist(ONE).spin.z < 0.1 {
             return Ok(i as f64 * short.frame / 0.99);
@@ -182,6 +182,6 @@ fn bounce(form: Form, restitution: f64, height: f64) -> Result<f64, Error> {
     scene.blocks[0].pos[2] += height;
     let mut world = World::new(&scene, params()).map_err(built)?;
     world.set_twist(ONE, Twist::linear(DVec3::new(0.0, 0.0, -0.5)));
-    run(&mut world, 0.1, &Input::default());
+    world.run_for(0.1);
     Ok(world.twist(ONE).velocity.z / 0.5)
 }

@@ -4,7 +4,7 @@ use glam::DVec3;
 use serde_json::{Value, json};
 use teeter_physics::{BodyId, World};
 use teeter_scene::Scene;
-use teeter_study::{Extraction, each, extract, long_axis, settled, xray};
+use teeter_study::{Extraction, extract, long_axis, par_map, settled, xray};
 
 use super::super::plot::{Axis, Plot, Series};
 use super::super::section::{Section, Size, params};
@@ -41,7 +41,7 @@ fn loose_blocks(scenes: &[Scene]) -> Result<Vec<Loose>, Error> {
         let loose = loose.map(|i| (BodyId(i as u32), long_axis(&scene.blocks[i]).extend(0.0))).collect();
         Ok((world, loose))
     };
-    each(scenes, of).into_iter().collect()
+    par_map(scenes, of).into_iter().collect()
 }
 
 /// Measures it.
@@ -65,7 +65,7 @@ pub fn measure(size: &Size) -> Result<Section, Error> {
     let mut most = Series { name: "largest".into(), line: true, ..Series::default() };
     let (mut rows, mut data) = (Vec::new(), Vec::<Value>::new());
     for (stiffness, speed, all) in cases {
-        let taken: Vec<Extraction> = each(all, |&(world, body, axis)| {
+        let taken: Vec<Extraction> = par_map(all, |&(world, body, axis)| {
             let taken = extract(world, body, axis, speed);
             bar.inc(1);
             taken

@@ -2,7 +2,7 @@
 
 use serde_json::json;
 use teeter_scene::Scene;
-use teeter_study::{Answer, BlockForces, forces};
+use teeter_study::{BlockForces, Breakaway, force_map};
 
 use super::super::plot::{Axis, Plot, Series};
 use super::super::section::{Section, Size, params};
@@ -133,7 +133,7 @@ fn loose_found(blocks: &[BlockForces]) -> (usize, usize) {
 }
 
 /// The exact answer for a block, where there is one.
-fn exact_of(block: &BlockForces) -> Option<Answer> {
+fn exact_of(block: &BlockForces) -> Option<Breakaway> {
     block.exact.filter(|e| e.is_exact() && block.is_generic())
 }
 
@@ -147,7 +147,7 @@ fn maps(size: &Size, towers: u64, stiffness: f64) -> Result<Vec<BlockForces>, Er
     let bar = progress(scenes.iter().map(|s| s.blocks.len() as u64).sum(), "blocks pulled");
     let mut all = Vec::new();
     for scene in &scenes {
-        all.extend(forces(scene, params(), || bar.inc(1)).map_err(built)?);
+        all.extend(force_map(scene, params(), || bar.inc(1)).map_err(built)?);
     }
     bar.finish_and_clear();
     Ok(all)

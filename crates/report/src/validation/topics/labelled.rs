@@ -11,7 +11,7 @@ use super::super::stats::quantile;
 use crate::error::Error;
 use crate::progress;
 use crate::score::{self, Labelled};
-use teeter_study::{Prediction, each, predict};
+use teeter_study::{Prediction, par_map, predict};
 
 const CONFIG: &[u8] = include_bytes!("../../../../../data/oracle/config.jsonl.gz");
 const TILT: &[u8] = include_bytes!("../../../../../data/oracle/tilt.jsonl.gz");
@@ -26,7 +26,7 @@ fn towers(size: &Size, packed: &[u8], step: usize) -> Result<Vec<Labelled>, Erro
 
 fn predictions(towers: &[Labelled]) -> Result<Vec<Prediction>, Error> {
     let bar = progress(towers.len() as u64, "labelled towers");
-    let all = each(towers, |t| {
+    let all = par_map(towers, |t| {
         let prediction = predict(&t.scene, params());
         bar.inc(1);
         prediction

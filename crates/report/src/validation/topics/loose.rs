@@ -2,7 +2,7 @@
 
 use serde_json::json;
 use teeter_scene::TowerOptions;
-use teeter_study::{Rigid, each, settled, xray};
+use teeter_study::{RigidTower, par_map, settled, xray};
 
 use super::super::plot::{Axis, Plot, Series};
 use super::super::section::{Section, Size, params};
@@ -31,11 +31,11 @@ pub fn measure(size: &Size) -> Result<Section, Error> {
     for &sd in spreads {
         let options = TowerOptions { height_sd: 1e-3 * sd, ..size.options() };
         let scenes = size.towers(size.towers, stiffness, &options);
-        let seen = each(&scenes, |scene| {
+        let seen = par_map(&scenes, |scene| {
             let world = settled(scene, params()).map_err(built)?;
             let loads = xray(&world, scene.friction);
             let below_top = scene.blocks.len() - 3;
-            let rigid = Rigid::new(scene).ok();
+            let rigid = RigidTower::new(scene).ok();
             bar.inc(1);
             let exact =
                 rigid.map(|r| (0..below_top).filter(|&i| r.force_above(i) < 1e-3).count() as f64 / below_top as f64);

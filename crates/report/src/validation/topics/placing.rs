@@ -3,7 +3,7 @@
 use serde_json::json;
 use teeter_physics::{BodyId, World};
 use teeter_scene::{Block, Scene};
-use teeter_study::{Placing, each, let_go};
+use teeter_study::{DroppedBlock, drop_block, par_map};
 
 use super::super::plot::{Axis, Plot, Series};
 use super::super::section::{Section, Size, params};
@@ -47,16 +47,16 @@ pub fn measure(size: &Size) -> Result<Section, Error> {
     let mut rows = Vec::new();
     let mut data = Vec::new();
     for height in heights {
-        let placed = each(&cases, |&(scene, column)| {
+        let placed = par_map(&cases, |&(scene, column)| {
             let scene = with_block(scene, column);
             let placed = World::new(&scene, params())
-                .map(|w| let_go(w, BodyId(scene.blocks.len() as u32 - 1), height))
+                .map(|w| drop_block(w, BodyId(scene.blocks.len() as u32 - 1), height))
                 .map_err(built);
             bar.inc(1);
             placed
         });
-        let placed: Vec<Placing> = placed.into_iter().collect::<Result<_, _>>()?;
-        let of = |f: fn(&Placing) -> f64| placed.iter().map(f).collect::<Vec<f64>>();
+        let placed: Vec<DroppedBlock> = placed.into_iter().collect::<Result<_, _>>()?;
+        let of = |f: fn(&DroppedBlock) -> f64| placed.iter().map(f).collect::<Vec<f64>>();
         let rests: Vec<f64> = placed.iter().filter_map(|p| p.rest_s).collect();
         let stay = percent(&placed, |p| p.stays);
         let cm = 100.0 * height;

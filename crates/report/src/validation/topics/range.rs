@@ -3,7 +3,7 @@
 use serde_json::json;
 use teeter_physics::BodyId;
 use teeter_scene::{BlockPreset, TowerOptions};
-use teeter_study::{Rigid, each, extract, long_axis, settled, starting_force, xray};
+use teeter_study::{RigidTower, breakaway_force, extract, long_axis, par_map, settled, xray};
 
 use super::super::section::{Section, Size, params};
 use super::super::stats::{largest, mean, percent};
@@ -42,9 +42,9 @@ pub fn measure(size: &Size) -> Result<Section, Error> {
         for &friction in frictions {
             for &stiffness in steps {
                 let scenes = size.towers(towers, stiffness, &TowerOptions { block, friction, ..size.options() });
-                let seen = each(&scenes, |scene| {
+                let seen = par_map(&scenes, |scene| {
                     let world = settled(scene, params()).map_err(built)?;
-                    let (loads, rigid) = (xray(&world, friction), Rigid::new(scene).ok());
+                    let (loads, rigid) = (xray(&world, friction), RigidTower::new(scene).ok());
                     let below_top = scene.blocks.len() - 3;
                     let loose: Vec<usize> = (0..below_top).filter(|&i| loads[i].is_loose()).collect();
                     // none where the programme is not solved
@@ -56,7 +56,7 @@ pub fn measure(size: &Size) -> Result<Section, Error> {
                     for &i in loose.iter().step_by(step).take(3) {
                         let axis = long_axis(&scene.blocks[i]).extend(0.0);
                         let both = [axis, -axis]
-                            .map(|axis| starting_force(&world, BodyId(i as u32), axis).unwrap_or(f64::INFINITY));
+                            .map(|axis| breakaway_force(&world, BodyId(i as u32), axis).unwrap_or(f64::INFINITY));
                         off.push(
                             (0.5 * (both[0] + both[1]) / (friction * scene.blocks[i].mass * scene.gravity) - 1.0).abs(),
                         );

@@ -2,7 +2,7 @@
 
 use serde_json::json;
 use teeter_scene::Scene;
-use teeter_study::{Removal, each, legal, remove};
+use teeter_study::{Removal, par_map, removable_blocks, remove};
 
 use super::super::plot::{Axis, Plot, Series};
 use super::super::section::{Section, Size, params};
@@ -20,9 +20,10 @@ pub fn measure(size: &Size) -> Result<Section, Error> {
          Rigid blocks say exactly whether it stands. Creep is from 2 s to 5 s.",
     );
     let scenes = size.towers(size.towers, 1e6, &size.options());
-    let all: Vec<(&Scene, usize)> = scenes.iter().flat_map(|s| legal(s).into_iter().map(move |i| (s, i))).collect();
+    let all: Vec<(&Scene, usize)> =
+        scenes.iter().flat_map(|s| removable_blocks(s).into_iter().map(move |i| (s, i))).collect();
     let bar = progress(all.len() as u64, "removals");
-    let removals = each(&all, |&(scene, block)| {
+    let removals = par_map(&all, |&(scene, block)| {
         let removal = remove(scene, block, params()).map_err(built);
         bar.inc(1);
         removal

@@ -1,7 +1,7 @@
 //! Simulated hours of rest with nothing asleep.
 
 use serde_json::json;
-use teeter_study::{each, rest, settled};
+use teeter_study::{LongRest, long_rest, par_map, settled};
 
 use super::super::section::{Section, Size, params};
 use super::super::stats::largest;
@@ -20,12 +20,12 @@ pub fn measure(size: &Size) -> Result<Section, Error> {
     let scenes = size.towers(size.towers, 1e6, &size.options());
     let each_s = 3600.0 * size.hours / scenes.len() as f64;
     let bar = progress(scenes.len() as u64 * (each_s / 60.0) as u64, "minutes of rest");
-    let rests = each(&scenes, |scene| {
-        settled(scene, params()).map(|w| rest(w, each_s, scene.gravity, || bar.inc(1))).map_err(built)
+    let rests = par_map(&scenes, |scene| {
+        settled(scene, params()).map(|w| long_rest(w, each_s, scene.gravity, || bar.inc(1))).map_err(built)
     });
     bar.finish_and_clear();
     let rests = rests.into_iter().collect::<Result<Vec<_>, _>>()?;
-    let of = |f: fn(&teeter_study::Rest) -> f64| largest(&rests.iter().map(f).collect::<Vec<_>>());
+    let of = |f: fn(&LongRest) -> f64| largest(&rests.iter().map(f).collect::<Vec<_>>());
     let (creep, kinetic, potential) = (of(|r| r.creep_m), of(|r| r.kinetic_j), of(|r| r.potential_j));
     let what = format!("rest, {:.2} simulated hours of {} towers", size.hours, rests.len());
     section.goal(format!("{what}: creep"), format!("{creep:.1e} m"), "1e-6 m", creep < 1e-6);

@@ -3,7 +3,7 @@
 use serde_json::json;
 use teeter_physics::{BodyId, Params, Precision};
 use teeter_scene::Scene;
-use teeter_study::{Rigid, Spread, each, long_axis, motion, settled, twist};
+use teeter_study::{Drag, RigidTower, Spread, drag_rotation, long_axis, mechanism, par_map, settled};
 
 use super::super::plot::{Axis, Plot, Series};
 use super::super::section::{Section, Size, params};
@@ -33,10 +33,10 @@ pub fn measure(size: &Size) -> Result<Section, Error> {
     let mut all: Vec<[f64; 5]> = Vec::new();
     let mut forces: Vec<[f64; 3]> = Vec::new();
     for scene in &scenes {
-        let rigid = Rigid::new(scene).map_err(built)?;
+        let rigid = RigidTower::new(scene).map_err(built)?;
         let blocks: Vec<usize> = (0..scene.blocks.len() - 6).collect();
-        let turning = each(&blocks, |&i| {
-            let answer = rigid.answer(i).ok()?;
+        let turning = par_map(&blocks, |&i| {
+            let answer = rigid.breakaway(i).ok()?;
             (answer.turning_n < TURNS * answer.straight_n && !answer.rocks()).then_some(i)
         });
         let turning: Vec<usize> = turning.into_iter().flatten().take(if size.quick { 2 } else { usize::MAX }).collect();
@@ -44,12 +44,13 @@ pub fn measure(size: &Size) -> Result<Section, Error> {
         let usual = settled(scene, params()).map_err(built)?;
         let fine = settled(&stiff, Params { precision: Precision::Double, ..params() }).map_err(built)?;
         let bar = progress(turning.len() as u64, "blocks");
-        let seen = each(&turning, |&i| {
+        let seen = par_map(&turning, |&i| {
             let axis = long_axis(&scene.blocks[i]).extend(0.0);
             let above: Vec<BodyId> = (3 * (i / 3 + 1) as u32..).take(3).map(BodyId).collect();
-            let engine = [&usual, &fine].map(|world| twist(world, BodyId(i as u32), axis, &above, WAY, SPEED));
-            let theory = [Spread::Lever, Spread::Corners, Spread::Mesh(if size.quick { 4 } else { 12 })]
-                .map(|spread| motion(scene, &rigid, i, spread));
+            let drag = Drag { axis, distance: WAY, speed: SPEED };
+            let engine = [&usual, &fine].map(|world| drag_rotation(world, BodyId(i as u32), &above, &drag));
+            let theory = [Spread::ScaledCorners, Spread::Corners, Spread::Mesh(if size.quick { 4 } else { 12 })]
+                .map(|spread| mechanism(&rigid, i, spread));
             bar.inc(1);
             let [a, b, c] = theory;
             Some((i, engine, [a?, b?, c?]))

@@ -4,7 +4,7 @@ use glam::DVec3;
 use serde_json::{Value, json};
 use teeter_physics::{BodyId, Params, World};
 use teeter_scene::{Random, Scene};
-use teeter_study::{Yank, each, long_axis, settled, yank};
+use teeter_study::{Collapse, collapse, long_axis, par_map, settled};
 
 use super::super::plot::{Axis, Plot, Series};
 use super::super::section::{Section, Size, params};
@@ -39,17 +39,18 @@ pub fn measure(size: &Size) -> Result<Section, Error> {
     );
     let scenes = size.towers(size.towers, 1e6, &size.options());
     let short = Params { frame: LOOK, ..params() };
-    let worlds = each(&scenes, |s| settled(s, short).map_err(built)).into_iter().collect::<Result<Vec<World>, _>>()?;
+    let worlds =
+        par_map(&scenes, |s| settled(s, short).map_err(built)).into_iter().collect::<Result<Vec<World>, _>>()?;
     let cases = cases(size, &scenes);
     let bar = progress(cases.len() as u64, "yanks");
-    let seen: Vec<Yank> = each(&cases, |case| {
-        let seen = yank(&worlds[case.tower], &case.bodies, case.velocity, case.watched);
+    let seen: Vec<Collapse> = par_map(&cases, |case| {
+        let seen = collapse(&worlds[case.tower], &case.bodies, case.velocity, case.watched);
         bar.inc(1);
         seen
     });
     bar.finish_and_clear();
     let n = seen.len();
-    let count = |so: &dyn Fn(&Yank) -> bool| seen.iter().filter(|y| so(y)).count();
+    let count = |so: &dyn Fn(&Collapse) -> bool| seen.iter().filter(|y| so(y)).count();
     let (lasting, lost, through) = (count(&|y| y.lasting_s > LASTS), count(&|y| y.lost), count(&|y| y.through));
     section.goal(
         "yanks and collapses: overlap of more than 1 mm for more than 50 ms",
@@ -73,7 +74,7 @@ pub fn measure(size: &Size) -> Result<Section, Error> {
         "longest overlap of more than 1 mm",
         format!("{:.3} s", largest(&seen.iter().map(|y| y.lasting_s).collect::<Vec<_>>())),
     );
-    let piles: Vec<Yank> = seen.iter().zip(&cases).filter(|(_, c)| c.bodies.len() > 1).map(|(y, _)| *y).collect();
+    let piles: Vec<Collapse> = seen.iter().zip(&cases).filter(|(_, c)| c.bodies.len() > 1).map(|(y, _)| *y).collect();
     let quiet = percent(&piles, |y| y.quiet_s.is_some());
     let times: Vec<f64> = piles.iter().filter_map(|y| y.quiet_s).collect();
     section.goal(

@@ -1,6 +1,7 @@
-//! Linear equations.
+//! Symmetric positive definite systems of linear equations.
 
-/// The solution of a symmetric positive definite system, by Cholesky's factors in place; none where it is not one.
+/// Returns the solution of a symmetric positive definite system, by a Cholesky factorisation in
+/// place; none where the matrix is not positive definite. The matrix is dense, row by row.
 pub fn solve(mut matrix: Vec<f64>, mut right: Vec<f64>) -> Option<Vec<f64>> {
     let n = right.len();
     for j in 0..n {
@@ -33,7 +34,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn a_system_is_solved() {
+    fn a_positive_definite_system_is_solved_and_another_is_not() {
         let x = solve(vec![4.0, 2.0, 0.0, 2.0, 5.0, 1.0, 0.0, 1.0, 3.0], vec![8.0, 15.0, 11.0]).unwrap();
         for (x, expected) in x.into_iter().zip([1.0, 2.0, 3.0]) {
             assert!((x - expected).abs() < 1e-12);
