@@ -23,8 +23,9 @@ export default defineConfig({
           include: ['tests/page/*.test.ts'],
           environment: 'node',
           fileParallelism: false,
-          testTimeout: 60_000,
-          hookTimeout: 60_000,
+          // A busy machine may be ten times as slow.
+          testTimeout: 600_000,
+          hookTimeout: 120_000,
         },
       },
       {

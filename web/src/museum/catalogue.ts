@@ -1,4 +1,4 @@
-// The exhibits in the plane: what they are, what can be set up, and what is counted.
+// The exhibits in the plane: their texts, scenes and counters.
 
 import type { Method, PlaneCounts, Setting } from './protocol';
 
@@ -8,9 +8,9 @@ export interface Scenery {
   count: number;
   /** m */
   gap: number;
-  /** N/m; null for the usual one. */
+  /** N/m; null for the default. */
   stiffness: number | null;
-  /** Simulated time per wall time that suits it. */
+  /** Default simulated time per wall time. */
   speed: number;
 }
 
@@ -20,11 +20,11 @@ export interface Exhibit {
   chapter: string;
   text: string;
   sceneries: Scenery[];
-  /** What one iteration of a step is; null where there is no such thing. */
+  /** Name of the iterations of a step; null for a method without iterations. */
   iterations: string | null;
-  /** Most iterations of a step; null where none is reached. */
+  /** Largest number of iterations of a step; null for a method without iterations. */
   limit: number | null;
-  /** Rows of the counters: a name, and its value for people. */
+  /** Rows of counters: a name, and a formatted value. */
   counters: [string, (counts: PlaneCounts) => string][];
 }
 

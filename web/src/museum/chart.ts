@@ -1,33 +1,28 @@
-// The strip under a scene in the plane: the most iterations of a step in each of the last pictures, on a scale that goes with the logarithm.
+// The strip under a scene in the plane: the largest number of iterations of a step in each of the last pictures, on a logarithmic scale.
 
-/** Pictures that the strip keeps. */
-export const KEPT = 180;
+/** Number of pictures in the strip. */
+export const MAX_BARS = 180;
 
-/** Height of a bar, 0 to 1, for a number of iterations where `most` fills the strip. One iteration is a tenth of it. */
-export function height(iterations: number, most: number): number {
+/** Returns the height of a bar, 0 to 1, for a number of iterations; `max` fills the strip and one iteration a tenth of it. */
+export function barHeight(iterations: number, max: number): number {
   if (iterations <= 0) return 0;
-  return Math.min(1, 0.1 + (0.9 * Math.log(iterations)) / Math.log(Math.max(2, most)));
+  return Math.min(1, 0.1 + (0.9 * Math.log(iterations)) / Math.log(Math.max(2, max)));
 }
 
 export class Chart {
   private readonly values: number[] = [];
 
-  restart(): void {
+  clear(): void {
     this.values.length = 0;
   }
 
   add(iterations: number): void {
     this.values.push(iterations);
-    if (this.values.length > KEPT) this.values.shift();
+    if (this.values.length > MAX_BARS) this.values.shift();
   }
 
   /** Newest last. */
   get bars(): readonly number[] {
     return this.values;
-  }
-
-  /** The most of what is kept. */
-  get most(): number {
-    return Math.max(0, ...this.values);
   }
 }

@@ -1,127 +1,120 @@
-// Controls and readouts beside the tower.
+// Controls and readouts beside the tower of the museum.
 
-import type { Options } from '../query';
-import { millimetres, type Apart } from './apart';
-import type { MuseumFrame, Order, Show } from './protocol';
+import type { Options, Range } from '../app/url';
+import type { Hand } from '../hand/hand';
+import { element, onClick, setText } from '../ui/dom';
+import { millimetres, type TowerDistance } from './distance';
+import type { MuseumFrame, MuseumSetup, Show } from './protocol';
+import type { MuseumStore } from './state';
 
-export const ROWS = { least: 3, most: 18, usual: 6 };
+const ROWS: Range & { default: number } = { min: 3, max: 18, default: 6 };
+const SHOWS: readonly Show[] = ['old', 'engine', 'both'];
 
 export interface ControlActions {
-  build(): void;
+  build(change: Partial<MuseumSetup>): void;
   pause(): void;
   springs(): void;
-  place(): void;
-  turn(): void;
-  letGo(): void;
 }
 
 export interface Readouts {
   frame: MuseumFrame;
-  /** Pictures a second. */
+  /** Pictures per second. */
   fps: number;
-  apart: Apart | null;
+  distance: TowerDistance | null;
   blocks: number;
-  /** End of the scale of the springs, in words; empty where they are not shown. */
+  /** End of the scale of the springs; empty where they are not drawn. */
   springs: string;
 }
 
-const get = <T extends HTMLElement = HTMLElement>(id: string) => document.getElementById(id) as T;
 const SHOWN: Record<Show, string> = {
   old: 'Wood is the tower of 2003.',
   engine: 'Wood is the tower of the engine.',
   both: 'Wood is the tower of the engine, the blue ghost that of 2003, given the same hand.',
 };
 
+/** Reads the setup of the towers from the address. */
+export function readSetup(options: Options): MuseumSetup {
+  const query = new URLSearchParams(location.search);
+  const rows = query.has('rows') ? options.rows : ROWS.default;
+  return {
+    show: SHOWS.find(show => show === query.get('show')) ?? 'old',
+    rows: Math.min(ROWS.max, Math.max(ROWS.min, rows)),
+    seed: options.seed,
+    extended: false,
+  };
+}
+
 export class Controls {
   private readonly shows = [...document.querySelectorAll<HTMLInputElement>('input[name="show"]')];
-  private readonly rows = get<HTMLInputElement>('rows');
-  private readonly future = get<HTMLInputElement>('future');
-  private readonly pause = get<HTMLButtonElement>('pause');
-  private readonly springs = get<HTMLButtonElement>('springs');
-  private readonly place = get<HTMLButtonElement>('place');
-  private readonly turn = get<HTMLButtonElement>('turn');
-  private readonly letGo = get<HTMLButtonElement>('let-go');
+  private readonly rows = element<HTMLInputElement>('rows');
+  private readonly extended = element<HTMLInputElement>('extended');
 
-  constructor(
-    private readonly options: Options,
-    actions: ControlActions,
-  ) {
-    const query = new URLSearchParams(location.search);
-    const show = this.shows.find(input => input.value === query.get('show')) ?? this.shows[0];
-    show.checked = true;
-    this.rows.min = String(ROWS.least);
-    this.rows.max = String(ROWS.most);
-    this.rows.value = String(query.has('rows') ? options.rows : ROWS.usual);
-    this.tellRows();
-    for (const input of [...this.shows, this.rows, this.future])
-      input.addEventListener('change', () => actions.build());
-    this.rows.addEventListener('input', () => this.tellRows());
-    get('restart').addEventListener('click', () => actions.build());
-    this.pause.addEventListener('click', () => actions.pause());
-    this.springs.addEventListener('click', () => actions.springs());
-    this.place.addEventListener('click', () => actions.place());
-    this.turn.addEventListener('click', () => actions.turn());
-    this.letGo.addEventListener('click', () => actions.letGo());
+  constructor(store: MuseumStore, hand: Hand, actions: ControlActions) {
+    const { rows, extended } = this;
+    rows.min = String(ROWS.min);
+    rows.max = String(ROWS.max);
+    for (const input of this.shows)
+      input.addEventListener('change', () => actions.build({ show: input.value as Show }));
+    rows.addEventListener('input', () => setText('rows-value', rows.value));
+    rows.addEventListener('change', () => actions.build({ rows: Number(rows.value) }));
+    extended.addEventListener('change', () => actions.build({ extended: extended.checked }));
+    onClick('restart', () => actions.build({}));
+    onClick('pause', () => actions.pause());
+    onClick('springs', () => actions.springs());
+    onClick('place', () => hand.place());
+    onClick('turn', () => hand.turn(Math.PI / 2));
+    onClick('let-go', () => hand.letGo());
+    store.subscribe(['setup'], ({ setup }) => this.showSetup(setup));
+    store.subscribe(['paused'], ({ paused }) => setPressed('pause', paused));
+    store.subscribe(['springs'], ({ springs }) => setPressed('springs', springs));
   }
 
-  order(): Order {
-    return {
-      show: this.shows.find(input => input.checked)!.value as Show,
-      rows: Number(this.rows.value),
-      seed: this.options.seed,
-      future: this.future.checked,
-    };
+  /** Enables the buttons for a block that can be placed, is held, and is carried. */
+  showHand(placeable: boolean, held: boolean, carried: boolean): void {
+    element<HTMLButtonElement>('place').disabled = !placeable;
+    element<HTMLButtonElement>('let-go').disabled = !held;
+    element<HTMLButtonElement>('turn').disabled = !carried;
   }
 
-  setShow(show: Show): void {
-    put('shown', SHOWN[show]);
-    this.future.disabled = show === 'engine';
-    this.springs.hidden = show !== 'old';
-    this.turn.hidden = show === 'old';
-    for (const row of document.querySelectorAll<HTMLElement>('[data-of]'))
-      row.hidden = !row.dataset.of!.split(' ').includes(show);
-  }
-
-  setPaused(paused: boolean): void {
-    this.pause.setAttribute('aria-pressed', String(paused));
-  }
-
-  setSprings(shown: boolean): void {
-    this.springs.setAttribute('aria-pressed', String(shown));
-  }
-
-  setPlaceable(can: boolean, held: boolean, carried: boolean): void {
-    this.place.disabled = !can;
-    this.letGo.disabled = !held;
-    this.turn.disabled = !carried;
-  }
-
-  read({ frame, fps, apart, blocks, springs }: Readouts): void {
-    put('n-time', `${frame.time.toFixed(1)} s, at ${frame.factor.toFixed(2)}× of real time`);
-    get('n-time').classList.toggle('slow', frame.factor < 0.95);
-    put('n-fps', fps.toFixed(0));
-    put('n-old', cost(frame.costs.old));
-    put('n-engine', cost(frame.costs.engine));
-    if (apart) {
-      put('n-apart', millimetres(apart.most));
-      put('n-mean', `${millimetres(apart.mean)} in the mean`);
+  showReadouts({ frame, fps, distance, blocks, springs }: Readouts): void {
+    setText('n-time', `${frame.update.report.time.toFixed(1)} s, at ${frame.factor.toFixed(2)}× of real time`);
+    element('n-time').classList.toggle('slow', frame.factor < 0.95);
+    setText('n-fps', fps.toFixed(0));
+    setText('n-old', formatCost(frame.costs.old));
+    setText('n-engine', formatCost(frame.costs.engine));
+    if (distance) {
+      setText('n-apart', millimetres(distance.max));
+      setText('n-mean', `${millimetres(distance.mean)} in the mean`);
     }
     if (frame.old) {
       const { potential, exact, collisions, rounds, active, unresolved } = frame.old;
-      put('n-tests', `${grouped(potential)} → ${grouped(exact)} exact → ${grouped(collisions)} hits`);
-      put('n-rounds', String(rounds));
-      put('n-left', unresolved > 0 ? String(unresolved) : '');
-      put('n-disabled', `${blocks - active} of ${blocks}`);
+      setText('n-tests', `${grouped(potential)} → ${grouped(exact)} exact → ${grouped(collisions)} hits`);
+      setText('n-rounds', String(rounds));
+      setText('n-left', unresolved > 0 ? String(unresolved) : '');
+      setText('n-disabled', `${blocks - active} of ${blocks}`);
     }
-    put('n-springs', springs);
+    setText('n-springs', springs);
   }
 
-  private tellRows(): void {
-    put('rows-value', this.rows.value);
+  private showSetup({ show, rows, extended }: MuseumSetup): void {
+    for (const input of this.shows) input.checked = input.value === show;
+    this.rows.value = String(rows);
+    setText('rows-value', String(rows));
+    this.extended.checked = extended;
+    this.extended.disabled = show === 'engine';
+    setText('shown', SHOWN[show]);
+    element('springs').hidden = show !== 'old';
+    element('turn').hidden = show === 'old';
+    for (const row of document.querySelectorAll<HTMLElement>('[data-of]'))
+      row.hidden = !row.dataset.of!.split(' ').includes(show);
   }
 }
 
-function cost(seconds: number | null): string {
+function setPressed(id: string, pressed: boolean): void {
+  element(id).setAttribute('aria-pressed', String(pressed));
+}
+
+function formatCost(seconds: number | null): string {
   if (seconds === null) return '';
   const ms = 1000 * seconds;
   const rate = ms < 1 ? 'over 1000' : (1 / seconds).toFixed(0);
@@ -130,9 +123,4 @@ function cost(seconds: number | null): string {
 
 function grouped(n: number): string {
   return n.toLocaleString('en').replaceAll(',', '\u202f');
-}
-
-function put(id: string, text: string): void {
-  const element = get(id);
-  if (element.textContent !== text) element.textContent = text;
 }

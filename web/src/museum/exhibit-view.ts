@@ -1,24 +1,25 @@
-// An exhibit in the plane: its text and controls, and a canvas on which a pointer pulls blocks. Its worker starts when it is first seen and
-// stands still while it is not.
+// An exhibit in the plane: its text and controls, and a canvas on which a pointer pulls blocks. Its worker starts when it first comes onto
+// the screen and is paused while it is not.
 
+import { setText } from '../ui/dom';
 import type { Exhibit, Scenery } from './catalogue';
 import { Chart } from './chart';
 import { PlanePicture, WIDE, type Colours } from './plane-picture';
-import type { FromPlane, PlaneFrame, PlaneOrder, ToPlane } from './protocol';
+import type { FromPlane, PlaneFrame, PlaneSetup, ToPlane } from './protocol';
 
-/** Speeds that can be chosen: simulated time per wall time; 0 stands still. */
+/** Speeds to choose from: simulated time per wall time; 0 pauses. */
 const SPEEDS: readonly [number, string][] = [
   [1, 'Real time'],
   [0.1, '10× slower'],
   [0.01, '100× slower'],
   [0, 'Stopped'],
 ];
-/** How far above the highest block one is dropped, and how far beside the axis each of them in turn, m. */
+/** Height above the highest block at which one is dropped, and offsets from the axis in turn, m. */
 const DROP = { above: 0.03, beside: [0.012, -0.02, 0.004, -0.008] };
-/** Where a block is thrown from, m, and how fast, m/s. */
+/** Position, m, and velocity, m/s, of a thrown block. */
 const THROW = { x: -WIDE / 2 + 0.045, vx: 1.2, vy: 0.5 };
 
-/** What tests see of an exhibit. */
+/** Read-only access to an exhibit for tests. */
 export interface PlaneInspect {
   readonly scene: number;
   readonly blocks: number;
@@ -40,9 +41,9 @@ export class ExhibitView {
   private scene = 0;
   private last: PlaneFrame | null = null;
   private drops = 0;
-  private seen = false;
-  private asked = false;
-  private most = 0;
+  private onScreen = false;
+  private drawing = false;
+  private max = 0;
 
   constructor(
     private readonly exhibit: Exhibit,
@@ -72,35 +73,30 @@ export class ExhibitView {
     this.pace = get('pace');
     this.note = get('note');
     this.fillCounters(get('counters'));
-    this.scenery.addEventListener('change', () => this.restart(true));
-    this.speed.addEventListener('change', () => this.tellSpeed());
-    get('restart').addEventListener('click', () => this.restart(false));
-    get('drop').addEventListener('click', () => this.drop());
-    get('throw').addEventListener('click', () => this.throw());
-    get('single').addEventListener('click', () => this.single());
-    this.listen();
+    this.listenToControls(get);
+    this.listenToCanvas();
     this.speed.value = String(this.chosen.speed);
   }
 
-  /** Whether it is on the screen; the first time starts its worker. */
-  show(seen: boolean): void {
-    this.seen = seen;
-    if (seen && !this.worker) {
+  /** Takes whether the exhibit is on the screen; the first time starts its worker. */
+  setOnScreen(onScreen: boolean): void {
+    this.onScreen = onScreen;
+    if (onScreen && !this.worker) {
       this.worker = new Worker(new URL('./plane-worker.ts', import.meta.url), { type: 'module' });
       this.worker.onmessage = (event: MessageEvent<FromPlane>) => this.receive(event.data);
-      this.worker.onerror = event => this.say(event.message || 'the simulator did not start');
+      this.worker.onerror = event => this.showNote(event.message || 'the simulator did not start');
       this.restart(true);
     } else {
-      this.tellSpeed();
+      this.sendSpeed();
     }
   }
 
-  /** Draws it anew, as where colours or the size have changed. */
+  /** Draws the picture again, as after a change of colours or size. */
   invalidate(): void {
-    if (this.asked) return;
-    this.asked = true;
+    if (this.drawing) return;
+    this.drawing = true;
     requestAnimationFrame(() => {
-      this.asked = false;
+      this.drawing = false;
       if (this.last) this.picture.draw(this.last, this.chart, this.exhibit.limit ?? 1, this.colours());
     });
   }
@@ -115,7 +111,7 @@ export class ExhibitView {
     };
   }
 
-  /** Place on the canvas (CSS px) of a place in the plane (m). */
+  /** Position on the canvas (CSS px) of a position in the plane (m). */
   screen(x: number, y: number): { x: number; y: number } {
     return this.picture.screen(x, y);
   }
@@ -138,25 +134,25 @@ export class ExhibitView {
     }
   }
 
-  private restart(usualSpeed: boolean): void {
+  private restart(resetSpeed: boolean): void {
     if (!this.worker) return;
     const { setting, count, gap, stiffness, speed } = this.chosen;
-    if (usualSpeed) this.speed.value = String(speed);
-    this.chart.restart();
-    this.most = this.drops = 0;
-    this.say('');
-    const order: PlaneOrder = { method: this.exhibit.method, setting, count, gap, stiffness };
-    this.send({ type: 'build', scene: ++this.scene, order });
-    this.tellSpeed();
+    if (resetSpeed) this.speed.value = String(speed);
+    this.chart.clear();
+    this.max = this.drops = 0;
+    this.showNote('');
+    const setup: PlaneSetup = { method: this.exhibit.method, setting, count, gap, stiffness };
+    this.send({ type: 'build', scene: ++this.scene, setup });
+    this.sendSpeed();
   }
 
-  private tellSpeed(): void {
-    this.send({ type: 'speed', speed: this.seen ? Number(this.speed.value) : 0 });
+  private sendSpeed(): void {
+    this.send({ type: 'speed', speed: this.onScreen ? Number(this.speed.value) : 0 });
   }
 
   private single(): void {
     this.speed.value = '0';
-    this.tellSpeed();
+    this.sendSpeed();
     this.send({ type: 'single' });
   }
 
@@ -170,7 +166,7 @@ export class ExhibitView {
   private drop(): void {
     const x = DROP.beside[this.drops++ % DROP.beside.length];
     // Within the picture, however high the stack.
-    const { y: highest } = this.picture.place(0, 12);
+    const { y: highest } = this.picture.positionAt(0, 12);
     const top = this.top();
     this.send({ type: 'add', x, y: Math.max(top + 0.012, Math.min(top + DROP.above, highest)), vx: 0, vy: 0 });
   }
@@ -179,9 +175,18 @@ export class ExhibitView {
     this.send({ type: 'add', x: THROW.x, y: Math.max(0.03, 0.6 * this.top()), vx: THROW.vx, vy: THROW.vy });
   }
 
-  private listen(): void {
+  private listenToControls(get: (part: string) => HTMLElement): void {
+    this.scenery.addEventListener('change', () => this.restart(true));
+    this.speed.addEventListener('change', () => this.sendSpeed());
+    get('restart').addEventListener('click', () => this.restart(false));
+    get('drop').addEventListener('click', () => this.drop());
+    get('throw').addEventListener('click', () => this.throw());
+    get('single').addEventListener('click', () => this.single());
+  }
+
+  private listenToCanvas(): void {
     const { canvas } = this;
-    const at = (event: PointerEvent) => this.picture.place(event.offsetX, event.offsetY);
+    const at = (event: PointerEvent) => this.picture.positionAt(event.offsetX, event.offsetY);
     canvas.addEventListener('pointerdown', event => {
       canvas.setPointerCapture(event.pointerId);
       this.send({ type: 'hold', ...at(event) });
@@ -201,37 +206,33 @@ export class ExhibitView {
   }
 
   private receive(message: FromPlane): void {
-    if (message.type === 'failed') return this.say(`It stopped: ${message.message}.`);
-    if (message.type === 'refused') return this.say(message.message);
+    if (message.type === 'failed') return this.showNote(`It stopped: ${message.message}.`);
+    if (message.type === 'refused') return this.showNote(message.message);
     if (message.scene !== this.scene) return;
     const { counts, factor } = message;
-    // A picture without a step of the method says nothing of its work.
+    // Without a step of the method the counters of the last one stay.
     const stepped = counts.time !== (this.last?.counts.time ?? 0) && counts.time > 0;
     if (!stepped && this.last) counts.most = this.last.counts.most;
     if (stepped) this.chart.add(counts.most);
     this.last = message;
-    this.most = Math.max(this.most, counts.most);
+    this.max = Math.max(this.max, counts.most);
     const values = this.exhibit.counters.map(([, value]) => value(counts));
-    if (this.exhibit.iterations) values.unshift(`${counts.most}, most ${this.most}`);
-    values.forEach((value, i) => put(this.counters[i], value));
+    if (this.exhibit.iterations) values.unshift(`${counts.most}, most ${this.max}`);
+    values.forEach((value, i) => setText(this.counters[i], value));
     const wanted = Number(this.speed.value);
     const behind = wanted > 0 && factor < 0.8 * wanted && counts.time > 0.05;
-    put(
+    setText(
       this.pace,
       `${counts.time.toFixed(3)} s${behind ? `, at ${factor.toPrecision(2)}× of real time: this device cannot keep up` : ''}`,
     );
     this.invalidate();
   }
 
-  private say(text: string): void {
-    put(this.note, text);
+  private showNote(text: string): void {
+    setText(this.note, text);
   }
 
   private send(message: ToPlane): void {
     this.worker?.postMessage(message);
   }
-}
-
-function put(element: HTMLElement, text: string): void {
-  if (element.textContent !== text) element.textContent = text;
 }

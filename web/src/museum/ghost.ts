@@ -1,4 +1,4 @@
-// The ghost: the tower of the other method, drawn over the one in wood as edges, with faces the more the farther a block is off.
+// The ghost: the tower of the other method, drawn over the one in wood as edges and as faces whose opacity grows with the distance.
 
 import {
   BoxGeometry,
@@ -14,25 +14,25 @@ import {
   ShaderMaterial,
   type BufferGeometry,
 } from 'three';
-import type { Bodies } from '../bodies';
+import type { Bodies } from '../view/bodies';
 
-/** Distance of a block from its place in wood at which its ghost has full strength, m. */
+/** Distance of a block from that in wood at which its ghost is most opaque, m. */
 const FULL = 0.004;
-/** Opacity of faces where the two agree and where they do not, and of edges. */
-const FACE = { least: 0.05, most: 0.5 };
-const EDGE = { least: 0.45, most: 0.95 };
+/** Opacities without distance and at full distance. */
+const FACE = { min: 0.05, max: 0.5 };
+const EDGE = { min: 0.45, max: 0.95 };
 const COLOUR = { light: '#1670e0', dark: '#7db4ff' };
 
 const vertex = /* glsl */ `
 attribute mat4 block;
-attribute float off;
-varying float vOff;
-varying vec3 vNormal2;
+attribute float distance01;
+varying float vDistance;
+varying vec3 vShadingNormal;
 void main() {
-  vOff = off;
-  vNormal2 = normalize(mat3(block) * normal);
+  vDistance = distance01;
+  vShadingNormal = normalize(mat3(block) * normal);
   gl_Position = projectionMatrix * viewMatrix * block * vec4(position, 1.0);
-  // In front of wood in the same place.
+  // In front of wood at the same depth.
   gl_Position.z -= 3e-5 * gl_Position.w;
 }
 `;
@@ -41,20 +41,20 @@ const fragment = /* glsl */ `
 uniform vec3 colour;
 uniform vec2 opacity;
 uniform float shaded;
-varying float vOff;
-varying vec3 vNormal2;
+varying float vDistance;
+varying vec3 vShadingNormal;
 void main() {
-  float light = mix(1.0, 0.72 + 0.28 * vNormal2.z - 0.1 * vNormal2.x, shaded);
-  gl_FragColor = vec4(colour * light, mix(opacity.x, opacity.y, vOff));
+  float light = mix(1.0, 0.72 + 0.28 * vShadingNormal.z - 0.1 * vShadingNormal.x, shaded);
+  gl_FragColor = vec4(colour * light, mix(opacity.x, opacity.y, vDistance));
   #include <colorspace_fragment>
 }
 `;
 
-function material(opacity: { least: number; most: number }, shaded: boolean): ShaderMaterial {
+function material(opacity: { min: number; max: number }, shaded: boolean): ShaderMaterial {
   return new ShaderMaterial({
     uniforms: {
       colour: { value: new Color() },
-      opacity: { value: [opacity.least, opacity.most] },
+      opacity: { value: [opacity.min, opacity.max] },
       shaded: { value: shaded ? 1 : 0 },
     },
     vertexShader: vertex,
@@ -69,7 +69,7 @@ export class Ghost {
   private readonly faces = new Mesh(new InstancedBufferGeometry() as BufferGeometry, material(FACE, true));
   private readonly edges = new LineSegments(new InstancedBufferGeometry() as BufferGeometry, material(EDGE, false));
   private matrices = new InstancedBufferAttribute(new Float32Array(0), 16);
-  private off = new InstancedBufferAttribute(new Float32Array(0), 1);
+  private distances = new InstancedBufferAttribute(new Float32Array(0), 1);
 
   constructor() {
     this.group.add(this.faces, this.edges);
@@ -89,22 +89,22 @@ export class Ghost {
     this.group.visible = false;
   }
 
-  /** Shows blocks, each with how far it is off (m). */
-  show(bodies: Bodies, off: Float32Array): void {
-    if (this.off.count !== bodies.count) this.allot(bodies.count);
+  /** Shows blocks, each at a distance (m) from that in wood. */
+  show(bodies: Bodies, distances: Float32Array): void {
+    if (this.distances.count !== bodies.count) this.allocate(bodies.count);
     const matrix = new Matrix4();
     for (let body = 0; body < bodies.count; body++) {
       bodies.matrix(body, bodies.size(body), matrix).toArray(this.matrices.array, 16 * body);
-      this.off.array[body] = Math.min(1, off[body] / FULL);
+      this.distances.array[body] = Math.min(1, distances[body] / FULL);
     }
-    this.matrices.needsUpdate = this.off.needsUpdate = true;
+    this.matrices.needsUpdate = this.distances.needsUpdate = true;
     this.group.visible = true;
   }
 
-  private allot(count: number): void {
+  private allocate(count: number): void {
     this.matrices = new InstancedBufferAttribute(new Float32Array(16 * count), 16);
-    this.off = new InstancedBufferAttribute(new Float32Array(count), 1);
-    for (const attribute of [this.matrices, this.off]) attribute.setUsage(DynamicDrawUsage);
+    this.distances = new InstancedBufferAttribute(new Float32Array(count), 1);
+    for (const attribute of [this.matrices, this.distances]) attribute.setUsage(DynamicDrawUsage);
     const box = new BoxGeometry(1, 1, 1);
     for (const [part, source] of [
       [this.faces, box],
@@ -117,7 +117,7 @@ export class Ghost {
         if (attribute) geometry.setAttribute(name, attribute);
       }
       geometry.setAttribute('block', this.matrices);
-      geometry.setAttribute('off', this.off);
+      geometry.setAttribute('distance01', this.distances);
       geometry.instanceCount = count;
       part.geometry.dispose();
       part.geometry = geometry;

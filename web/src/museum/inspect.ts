@@ -1,19 +1,28 @@
-// `window.museum`: a look into the museum for tests and the curious. Nothing here changes anything.
+// `window.museum`: read-only access to the museum for tests and curious users.
 
+import { Vector3 } from 'three';
+import type { Stage } from '../app/stage';
+import type { Hand } from '../hand/hand';
+import type { Pointers } from '../hand/pointers';
 import type { PlaneInspect } from './exhibit-view';
 import type { Method, MuseumFrame, Show } from './protocol';
+import type { MuseumStore } from './state';
 
 export interface TowerInspect {
+  /** Number of the world, which grows with each build. */
+  readonly world: number;
+  /** Position of the camera, m. */
+  readonly camera: number[];
   readonly ready: boolean;
   readonly show: Show;
   /** Simulated time, s. */
   readonly time: number;
   readonly count: number;
-  /** Seven numbers a block of the tower in wood: position (m), orientation (x, y, z, w). */
+  /** Seven numbers per block of the tower in wood: position (m), orientation (x, y, z, w). */
   readonly poses: number[];
-  /** The same of the ghost, if there is one. */
+  /** Poses of the ghost; null without one. */
   readonly ghost: number[] | null;
-  /** Three numbers a block, m. */
+  /** Three numbers per block, m. */
   readonly sizes: number[];
   readonly hand: { body: number; grip: string } | null;
   readonly costs: MuseumFrame['costs'] | null;
@@ -21,14 +30,14 @@ export interface TowerInspect {
   readonly springs: number;
   /** Screen position (CSS px) of a point of a block (m from its centre). */
   screenOf(body: number, local?: [number, number, number]): { x: number; y: number };
-  /** The block that is seen at a place of the picture (CSS px). */
+  /** Visible block at a position of the picture (CSS px). */
   blockAt(x: number, y: number): number | null;
 }
 
 export interface MuseumInspect {
   readonly tower: TowerInspect | null;
   plane(method: Method): PlaneInspect;
-  /** Place on an exhibit's canvas (CSS px) of a place in its plane (m). */
+  /** Position on an exhibit's canvas (CSS px) of a position in its plane (m). */
   planeAt(method: Method, x: number, y: number): { x: number; y: number };
 }
 
@@ -36,4 +45,60 @@ declare global {
   interface Window {
     museum: MuseumInspect;
   }
+}
+
+/** Parts of the tower that are inspected. */
+export interface InspectedTower {
+  store: MuseumStore;
+  stage: Stage;
+  hand: Hand;
+  pointers: Pointers;
+}
+
+export function createTowerInspect({ store, stage, hand, pointers }: InspectedTower): TowerInspect {
+  const frame = () => store.state.frame;
+  return {
+    get ready() {
+      return frame() !== null && stage.drawn;
+    },
+    get show() {
+      return store.state.setup.show;
+    },
+    get world() {
+      return store.state.world?.world ?? 0;
+    },
+    get camera() {
+      return stage.orbit.camera.position.toArray();
+    },
+    get time() {
+      return frame()?.update.report.time ?? 0;
+    },
+    get count() {
+      return stage.bodies?.count ?? 0;
+    },
+    get poses() {
+      return Array.from(stage.bodies?.newest ?? []);
+    },
+    get ghost() {
+      const ghost = frame()?.ghost;
+      return ghost ? Array.from(ghost.poses) : null;
+    },
+    get sizes() {
+      return Array.from(stage.bodies?.sizes ?? []);
+    },
+    get hand() {
+      return hand.holds ? { body: hand.body!, grip: hand.held?.grip ?? 'slide' } : null;
+    },
+    get costs() {
+      return frame()?.costs ?? null;
+    },
+    get springs() {
+      return stage.view.springsShown;
+    },
+    screenOf(body, local = [0, 0, 0]) {
+      const bodies = stage.bodies!;
+      return stage.orbit.project(bodies.surface(body, new Vector3(...local), bodies.newest));
+    },
+    blockAt: (x, y) => pointers.pickAt(x, y)?.body ?? null,
+  };
 }

@@ -1,7 +1,7 @@
-// The museum: the simulators of the 2003 dissertation, the tower and the attempts in the plane before it.
+// The page of the museum: the simulators of the 2003 dissertation, its tower and the methods in the plane before it.
 
-import { trouble } from '../notice';
-import { readOptions } from '../query';
+import { readOptions } from '../app/url';
+import { showTrouble } from '../ui/notice';
 import { EXHIBITS } from './catalogue';
 import { ExhibitView } from './exhibit-view';
 import type { MuseumInspect } from './inspect';
@@ -10,43 +10,51 @@ import { Tower } from './tower';
 
 function start(): void {
   if (typeof WebAssembly !== 'object' || typeof Worker !== 'function')
-    return trouble('The simulators need WebAssembly and workers. A current version of any browser has both.');
+    return showTrouble('The simulators need WebAssembly and workers. A current version of any browser has both.');
   const template = document.getElementById('exhibit') as HTMLTemplateElement;
   let colours = readColours();
   const views = new Map(EXHIBITS.map(exhibit => [exhibit.method, new ExhibitView(exhibit, template, () => colours)]));
   document.getElementById('exhibits')!.append(...[...views.values()].map(view => view.element));
-  let tower: Tower | null = null;
-  try {
-    tower = new Tower(readOptions(location.search));
-  } catch {
-    // The plane needs no WebGL.
-    document.getElementById('stage')!.classList.add('without');
-  }
+  const tower = createTower();
   window.museum = Object.freeze<MuseumInspect>({
     tower: tower?.inspect ?? null,
     plane: method => views.get(method)!.inspect,
     planeAt: (method, x, y) => views.get(method)!.screen(x, y),
   });
-
-  const seen = new Map<Element, (seen: boolean) => void>(
-    [...views.values()].map(view => [view.element, s => view.show(s)]),
-  );
-  seen.set(document.getElementById('stage')!, s => tower?.setSeen(s));
-  const observer = new IntersectionObserver(entries => {
-    for (const { target, isIntersecting } of entries) seen.get(target)!(isIntersecting);
-  });
-  for (const element of seen.keys()) observer.observe(element);
-  const sizes = new ResizeObserver(() => views.forEach(view => view.invalidate()));
-  for (const view of views.values()) sizes.observe(view.element);
+  observe([...views.values()], tower);
 
   const dark = matchMedia('(prefers-color-scheme: dark)');
-  const dress = () => {
+  const applyColours = () => {
     colours = readColours();
     tower?.setDark(dark.matches);
     views.forEach(view => view.invalidate());
   };
-  dark.addEventListener('change', dress);
-  dress();
+  dark.addEventListener('change', applyColours);
+  applyColours();
+}
+
+/** Returns null without WebGL, which the plane does not need. */
+function createTower(): Tower | null {
+  try {
+    return new Tower(readOptions(location.search));
+  } catch {
+    document.getElementById('stage')!.classList.add('without');
+    return null;
+  }
+}
+
+/** Runs the simulators only while they are on the screen, and draws an exhibit again when its size changes. */
+function observe(views: ExhibitView[], tower: Tower | null): void {
+  const targets = new Map<Element, (onScreen: boolean) => void>(
+    views.map(view => [view.element, onScreen => view.setOnScreen(onScreen)]),
+  );
+  targets.set(document.getElementById('stage')!, onScreen => tower?.setOnScreen(onScreen));
+  const observer = new IntersectionObserver(entries => {
+    for (const { target, isIntersecting } of entries) targets.get(target)!(isIntersecting);
+  });
+  for (const element of targets.keys()) observer.observe(element);
+  const sizes = new ResizeObserver(() => views.forEach(view => view.invalidate()));
+  for (const view of views) sizes.observe(view.element);
 }
 
 function readColours(): Colours {

@@ -1,12 +1,12 @@
-// Draws a scene in the plane: blocks, contact points with their forces, the pointer's pull, and the strip of iterations.
+// Picture of a scene in the plane: blocks, contact points with their forces, the pull of the pointer, and the strip of iterations.
 
-import { height, KEPT, type Chart } from './chart';
+import { barHeight, MAX_BARS, type Chart } from './chart';
 import type { PlaneFrame } from './protocol';
 
-/** Width of the picture in the plane, and height of its lower edge, m. */
+/** Width of the picture, and depth of its lower edge below the table, m. */
 export const WIDE = 0.3;
 const BELOW = 0.008;
-/** Part of the canvas that the strip takes. */
+/** Fraction of the canvas that the strip takes. */
 const STRIP = 0.16;
 /** Length of the arrow of a force, m/N. */
 const ARROW = 0.015;
@@ -31,14 +31,14 @@ export class PlanePicture {
     this.context = canvas.getContext('2d')!;
   }
 
-  /** Place in the plane (m) of a place on the canvas (CSS px). */
-  place(x: number, y: number): { x: number; y: number } {
+  /** Position in the plane (m) of a position on the canvas (CSS px). */
+  positionAt(x: number, y: number): { x: number; y: number } {
     const { clientWidth: width, clientHeight: height } = this.canvas;
     const scale = width / WIDE;
     return { x: (x - width / 2) / scale, y: (this.floor(height) - y) / scale };
   }
 
-  /** Place on the canvas (CSS px) of a place in the plane (m). */
+  /** Position on the canvas (CSS px) of a position in the plane (m). */
   screen(x: number, y: number): { x: number; y: number } {
     const { clientWidth: width, clientHeight: height } = this.canvas;
     const scale = width / WIDE;
@@ -55,18 +55,18 @@ export class PlanePicture {
     }
     context.setTransform(ratio, 0, 0, ratio, 0, 0);
     context.clearRect(0, 0, width, height);
-    this.ground(width, height, colours);
-    this.blocks(frame, colours);
-    this.contacts(frame, colours);
-    this.pull(frame, colours);
-    if (this.strip) this.bars(width, height, chart, limit, colours);
+    this.drawTable(width, height, colours);
+    this.drawBlocks(frame, colours);
+    this.drawContacts(frame, colours);
+    this.drawPull(frame, colours);
+    if (this.strip) this.drawBars(chart, limit, colours);
   }
 
   private floor(height: number): number {
     return height * (this.strip ? 1 - STRIP : 1) - (BELOW * this.canvas.clientWidth) / WIDE;
   }
 
-  private ground(width: number, height: number, { line, soft }: Colours): void {
+  private drawTable(width: number, height: number, { line, soft }: Colours): void {
     const { context } = this;
     const y = this.floor(height);
     context.fillStyle = line;
@@ -79,7 +79,7 @@ export class PlanePicture {
     context.stroke();
   }
 
-  private blocks({ corners }: PlaneFrame, { wood, edge }: Colours): void {
+  private drawBlocks({ corners }: PlaneFrame, { wood, edge }: Colours): void {
     const { context } = this;
     context.fillStyle = wood;
     context.strokeStyle = edge;
@@ -98,7 +98,7 @@ export class PlanePicture {
     }
   }
 
-  private contacts({ contacts }: PlaneFrame, { push }: Colours): void {
+  private drawContacts({ contacts }: PlaneFrame, { push }: Colours): void {
     const { context } = this;
     context.fillStyle = context.strokeStyle = push;
     context.lineWidth = 1.6;
@@ -109,13 +109,13 @@ export class PlanePicture {
       context.arc(from.x, from.y, 2, 0, 2 * Math.PI);
       context.fill();
       if (force <= 0) continue;
-      // Of the pair of forces the one that bears what is above.
-      const way = ny < 0 ? -ARROW * force : ARROW * force;
-      const to = this.screen(px + way * nx, py + way * ny);
+      // Of the pair of forces the one on the upper block.
+      const length = ny < 0 ? -ARROW * force : ARROW * force;
+      const to = this.screen(px + length * nx, py + length * ny);
       const [dx, dy] = [to.x - from.x, to.y - from.y];
-      const length = Math.hypot(dx, dy);
-      if (length < 3) continue;
-      const [ux, uy] = [(3.5 * dx) / length, (3.5 * dy) / length];
+      const pixels = Math.hypot(dx, dy);
+      if (pixels < 3) continue;
+      const [ux, uy] = [(3.5 * dx) / pixels, (3.5 * dy) / pixels];
       context.beginPath();
       context.moveTo(from.x, from.y);
       context.lineTo(to.x, to.y);
@@ -126,7 +126,7 @@ export class PlanePicture {
     }
   }
 
-  private pull({ held }: PlaneFrame, { accent }: Colours): void {
+  private drawPull({ held }: PlaneFrame, { accent }: Colours): void {
     if (held.length < 4) return;
     const { context } = this;
     const [from, to] = [this.screen(held[0], held[1]), this.screen(held[2], held[3])];
@@ -141,16 +141,11 @@ export class PlanePicture {
     context.fill();
   }
 
-  private bars(
-    width: number,
-    canvasHeight: number,
-    chart: Chart,
-    limit: number,
-    { accent, soft, line }: Colours,
-  ): void {
+  private drawBars(chart: Chart, limit: number, { accent, soft, line }: Colours): void {
     const { context } = this;
+    const { clientWidth: width, clientHeight: canvasHeight } = this.canvas;
     const tall = canvasHeight * STRIP - 6;
-    const bar = width / KEPT;
+    const bar = width / MAX_BARS;
     context.strokeStyle = line;
     context.lineWidth = 1;
     context.beginPath();
@@ -158,9 +153,9 @@ export class PlanePicture {
     context.lineTo(width, canvasHeight - tall);
     context.stroke();
     chart.bars.forEach((value, i) => {
-      const part = height(value, limit);
+      const fraction = barHeight(value, limit);
       context.fillStyle = value >= limit ? accent : soft;
-      context.fillRect(i * bar, canvasHeight - part * tall, Math.max(1, bar - 0.5), part * tall);
+      context.fillRect(i * bar, canvasHeight - fraction * tall, Math.max(1, bar - 0.5), fraction * tall);
     });
   }
 }

@@ -1,13 +1,13 @@
-// The worker of one prototype in the plane: steps it as fast as is wanted and the device can, and sends a picture a frame.
+// The worker of one method in the plane: steps it at the chosen speed where the device can, and sends one message a frame.
 
-import { guarded, text } from '../fault';
-import { Loop } from '../loop';
-import { Speedometer } from '../pacing';
-import { FRAME } from '../protocol';
+import { FRAME } from '../engine/game-protocol';
+import { Loop } from '../engine/loop';
+import { Speedometer } from '../engine/pacing';
+import { errorText, guarded } from '../engine/worker-errors';
 import load, { Plane } from '../wasm/teeter_museum.js';
 import type { FromPlane, PlaneCounts, ToPlane } from './protocol';
 
-/** Time of the processor for one picture, s: what cannot be done in it is not made up for. */
+/** Largest time for the steps of one frame, s: steps beyond it are dropped. */
 const BUDGET = 0.012;
 
 const seconds = () => performance.now() / 1000;
@@ -64,7 +64,7 @@ function restart(): void {
 function receive(message: ToPlane): void {
   switch (message.type) {
     case 'build': {
-      const { method, setting, count, gap, stiffness } = message.order;
+      const { method, setting, count, gap, stiffness } = message.setup;
       plane?.free();
       plane = new Plane(JSON.stringify({ method, setting, count, gap, stiffness }));
       scene = message.scene;
@@ -93,14 +93,14 @@ function receive(message: ToPlane): void {
       try {
         plane?.add(message.x, message.y, message.vx, message.vy);
       } catch (error) {
-        send({ type: 'refused', message: text(error) });
+        send({ type: 'refused', message: errorText(error) });
       }
       if (plane && speed === 0) show();
       break;
   }
 }
 
-// What comes before the module is there waits.
+// Messages that come before the module is loaded wait.
 const early: ToPlane[] = [];
 self.onmessage = (event: MessageEvent<ToPlane>) => void early.push(event.data);
 load().then(
@@ -109,5 +109,5 @@ load().then(
     self.onmessage = (event: MessageEvent<ToPlane>) => guard(() => receive(event.data));
     for (const message of early) guard(() => receive(message));
   },
-  (error: unknown) => send({ type: 'failed', message: `the simulator did not load (${text(error)})` }),
+  (error: unknown) => send({ type: 'failed', message: `the simulator did not load (${errorText(error)})` }),
 );

@@ -1,85 +1,85 @@
-// What the museum's page and its workers say to each other, besides what the game has. SI units.
+// Messages between the museum and its workers, besides those of the game. SI units.
 
-import type { Frame } from '../protocol';
+import type { Frame } from '../engine/protocol';
 
-/** Whose tower is shown: that of the 2003 method, that of the engine, or the engine's with the other's ghost. */
+/** Tower that is drawn in wood: that of the 2003 method, or the engine's, without or with the other's ghost. */
 export type Show = 'old' | 'engine' | 'both';
 
-/** What to build. */
-export interface Order {
+/** Towers to build. */
+export interface MuseumSetup {
   show: Show;
   rows: number;
   seed: number;
-  /** Whether the 2003 method has what its text leaves for future work. */
-  future: boolean;
+  /** True for the 2003 method with the future work of its text. */
+  extended: boolean;
 }
 
-/** What a frame of the 2003 method was like. */
-export interface OldReport {
-  /** Most rounds over the pairs in one of its steps. */
+/** Work of a frame of the 2003 method. */
+export interface Report2003 {
+  /** Largest number of rounds over the pairs in a step. */
   rounds: number;
   /** Steps that ended with collisions left. */
   unresolved: number;
-  /** Potential collisions of its last step: without culling, and left for the exact test. */
+  /** Collision tests of the last step: pairs without culling, exact tests, and collisions. */
   potential: number;
   exact: number;
   collisions: number;
-  /** Blocks that are not disabled. */
+  /** Number of blocks that are not disabled. */
   active: number;
 }
 
-/** A frame; the poses are those of the tower in wood. */
+/** A frame, with the poses of the tower in wood. */
 export interface MuseumFrame extends Frame {
-  /** Of the ghost, where there is one. */
+  /** State of the ghost; null without one. */
   ghost: { poses: Float32Array; lattices: Float32Array } | null;
-  old: OldReport | null;
-  /** Mean time of the processor for one frame, s; null for what does not run. */
+  old: Report2003 | null;
+  /** Mean cost of a frame, s; null for a tower that does not run. */
   costs: { old: number | null; engine: number | null };
 }
 
 export type Method = 'springs' | 'constraint' | 'penalty' | 'micro-collisions';
 export type Setting = 'stack' | 'falling' | 'tower';
 
-/** What to build in the plane. */
-export interface PlaneOrder {
+/** Scene in the plane to build. */
+export interface PlaneSetup {
   method: Method;
   setting: Setting;
   count: number;
-  /** How far apart blocks are that fall, m. */
+  /** Gap between falling blocks, m. */
   gap: number;
-  /** N/m; null for the usual one. */
+  /** N/m; null for the default. */
   stiffness: number | null;
 }
 
-/** What the steps since the last picture did. */
+/** Work of the steps since the last picture. */
 export interface PlaneCounts {
   /** Simulated time, s. */
   time: number;
-  /** Pairs resolved, impulses, or rounds, of the last step. */
+  /** Pairs resolved, impulses, or rounds of the last step. */
   iterations: number;
-  /** The same of the step that took most. */
+  /** Largest number of iterations of a step. */
   most: number;
   /** Steps cut short since the beginning. */
   cut: number;
-  /** Steps without an answer for the forces at rest, since the beginning. */
+  /** Steps without a solution for the forces at rest, since the beginning. */
   unsolved: number;
   /** Contact points. */
   points: number;
   /** Tests of the last step. */
   tests: number;
-  /** How deep blocks are inside each other, m. */
+  /** Deepest overlap of two blocks, m. */
   overlap: number;
 }
 
 export interface PlaneFrame {
   type: 'frame';
-  /** Number of the scene that it belongs to. */
+  /** Number of the scene that the frame belongs to. */
   scene: number;
-  /** Eight numbers a block: corners, counter-clockwise, m. */
+  /** Eight numbers per block: corners, counter-clockwise, m. */
   corners: Float32Array;
-  /** Five numbers a point: place (m), unit normal, force (N). */
+  /** Five numbers per point: position (m), unit normal, force (N). */
   contacts: Float32Array;
-  /** The held point and the pointer, m; empty where nothing is held. */
+  /** Held point and pointer, m; empty if no block is held. */
   held: Float32Array;
   counts: PlaneCounts;
   /** Simulated time per wall time. */
@@ -87,8 +87,8 @@ export interface PlaneFrame {
 }
 
 export type ToPlane =
-  | { type: 'build'; scene: number; order: PlaneOrder }
-  /** `speed`: simulated time per wall time that is wanted; 0 stands still. */
+  | { type: 'build'; scene: number; setup: PlaneSetup }
+  /** `speed`: simulated time per wall time; 0 pauses. */
   | { type: 'speed'; speed: number }
   /** One step of the method. */
   | { type: 'single' }
@@ -99,7 +99,7 @@ export type ToPlane =
 
 export type FromPlane =
   | PlaneFrame
-  /** What was asked for cannot be done. */
+  /** A request that cannot be met. */
   | { type: 'refused'; message: string }
   /** The worker cannot go on. */
   | { type: 'failed'; message: string };

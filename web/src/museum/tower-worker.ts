@@ -1,15 +1,18 @@
-// The museum's worker: owns the tower of 2003, the engine's, or both. Two towers take each step together and with the same wish, so the
-// engine waits for the other, which needs by far the longer; the simulated time of both falls behind the clock where it must.
+// The museum's worker: owns the tower of 2003, the engine's, or both. Two towers take each step together and with the same command, so the
+// engine waits for the other one, which is much slower; simulated time falls behind the clock where it must.
 
-import { guarded, text } from '../fault';
-import { Loop } from '../loop';
-import { Speedometer } from '../pacing';
-import { FRAME, type Frame, type FromWorker, type Question, type ToWorker, type Wish } from '../protocol';
-import { Simulator, sceneText } from '../simulator';
+import { CommandQueue } from '../engine/command-queue';
+import { Game } from '../engine/game';
+import { FRAME, type GameCommand, type Update } from '../engine/game-protocol';
+import { Loop } from '../engine/loop';
+import { Speedometer } from '../engine/pacing';
+import type { FromWorker, Question, ToWorker } from '../engine/protocol';
+import { sceneText } from '../engine/scene';
+import { errorText, guarded } from '../engine/worker-errors';
 import loadMuseum from '../wasm/teeter_museum.js';
 import loadEngine from '../wasm/teeter_wasm.js';
-import { Old } from './old';
-import type { MuseumFrame, Order } from './protocol';
+import type { MuseumFrame, MuseumSetup } from './protocol';
+import { Game2003 } from './tower-2003';
 
 /** Stiffness of the engine's contacts, N/m. */
 const STIFFNESS = 1e6;
@@ -19,11 +22,13 @@ const send = (message: FromWorker | MuseumFrame, transfer: Transferable[] = []) 
   self.postMessage(message, { transfer });
 
 let memory: { engine: WebAssembly.Memory; old: WebAssembly.Memory };
-let engine: Simulator | null = null;
-let old: Old | null = null;
+let engine: Game | null = null;
+let old: Game2003 | null = null;
 let world = 0;
 let paused = false;
-/** Of simulated time, and of what each tower costs. */
+let selected: number | null = null;
+const commands = new CommandQueue();
+/** Speed of simulated time, and cost of each tower. */
 const speed = { all: new Speedometer(), old: new Speedometer(), engine: new Speedometer() };
 const guard = guarded(message => {
   engine = old = null;
@@ -44,44 +49,41 @@ function timed<T>(meter: Speedometer, action: () => T): T {
   return result;
 }
 
+/** Hand of the second tower after the last step: it releases its block together with the first. */
+let ghostHolds = false;
+
 function step(): void {
   const before = seconds();
-  const of = {
-    old: old && timed(speed.old, () => old!.step()),
-    engine: engine && timed(speed.engine, () => engine!.step()),
-  };
+  const command = commands.next();
+  const first = engine && timed(speed.engine, () => engine!.step(command));
+  const released = first !== null && !first.hand && ghostHolds;
+  const ofOld: GameCommand = released && command.command === 'idle' ? { command: 'release' } : command;
+  const second = old && timed(speed.old, () => old!.step(ofOld));
+  ghostHolds = first !== null && second?.hand != null;
   const after = seconds();
   speed.all.add(after, FRAME, after - before);
-  const shared = {
+  sendFrame((first ?? second)!);
+}
+
+function sendFrame(update: Update): void {
+  const shown = (engine ?? old)!;
+  const arrays = old && { poses: old.poses(), lattices: old.lattices() };
+  const wood = engine ? { poses: engine.poses(), lattices: null } : arrays!;
+  const ghost = engine ? arrays : null;
+  const frame: MuseumFrame = {
     type: 'frame',
     world,
+    update,
+    applied: commands.applied,
+    ...wood,
+    placeable: selected !== null && shown.canPlace(selected),
     factor: speed.all.factor(),
     capacity: speed.all.capacity(),
     costs: { old: old && FRAME / speed.old.capacity(), engine: engine && FRAME / speed.engine.capacity() },
-    old: of.old?.report ?? null,
-    springs: null,
-  } as const satisfies Partial<MuseumFrame>;
-  const told = old && { poses: old.poses(), lattices: old.lattices() };
-  let frame: MuseumFrame;
-  if (of.engine) {
-    frame = { ...shared, ...engine!.told(of.engine), lattices: null, ghost: told };
-  } else {
-    const { time, touching, maxSpeed, report, hand, handDone } = of.old!;
-    const own: Omit<Frame, keyof typeof shared> = {
-      time,
-      ...told!,
-      hand,
-      handDone,
-      awake: report.active,
-      touching,
-      penetration: 0,
-      maxSpeed,
-      quarantined: [],
-      form: 'lattice',
-    };
-    frame = { ...shared, ...own, ghost: null };
-  }
-  const sent = [frame.poses, frame.lattices, frame.ghost?.poses, frame.ghost?.lattices].filter(array => array != null);
+    old: old?.report ?? null,
+    ghost,
+  };
+  const sent = [wood.poses, wood.lattices, ghost?.poses, ghost?.lattices].filter(array => array != null);
   send(
     frame,
     sent.map(array => array.buffer),
@@ -93,26 +95,28 @@ function restart(): void {
   loop.restart();
 }
 
-/** Builds what is asked for; where that fails the old towers go on. */
-function build({ world: number, setup }: { world: number; setup: Order }): void {
-  let next: { engine: Simulator | null; old: Old | null };
+/** Builds towers; where that fails the previous ones go on. */
+function build({ world: number, setup }: { world: number; setup: MuseumSetup }): void {
+  let next: { engine: Game | null; old: Game2003 | null };
   try {
-    const { rows, seed, show, future } = setup;
+    const { rows, seed, show, extended } = setup;
     const choose = () => ({ form: 'rigid', stiffness: STIFFNESS, springs: null }) as const;
     const scene = sceneText({ kind: 'tower', rows, seed, block: 'dissertation' }, choose);
     next = {
-      old: show === 'engine' ? null : new Old(scene, future, memory.old),
-      engine: show === 'old' ? null : new Simulator(scene, true, memory.engine),
+      old: show === 'engine' ? null : new Game2003(scene, extended, memory.old),
+      engine: show === 'old' ? null : new Game(scene, true, memory.engine),
     };
   } catch (error) {
-    send({ type: 'refused', world: number, message: text(error) });
+    send({ type: 'refused', world: number, message: errorText(error) });
     return;
   }
   old?.free();
   engine?.free();
   ({ old, engine } = next);
   world = number;
-  const shown = engine ?? old!;
+  commands.clear();
+  ghostHolds = false;
+  const shown = (engine ?? old)!;
   send({
     type: 'built',
     world,
@@ -122,39 +126,43 @@ function build({ world: number, setup }: { world: number; setup: Order }): void 
     form: { value: engine ? 'rigid' : 'lattice', chosen: false },
     springs: null,
     // The particles of 2003 are the corners.
-    place: 1,
+    particleOffset: 1,
   });
   restart();
-}
-
-function want(wish: Wish | null): void {
-  old?.want(wish);
-  engine?.want(wish);
 }
 
 function answer(question: Question): unknown {
   const shown = engine ?? old;
   if (!shown) return null;
-  return question.what === 'contacts'
-    ? shown.contacts(question.body)
-    : { hash: engine?.hash() ?? '', time: engine?.time() ?? 0 };
+  return question.what === 'contacts' ? shown.contacts(question.body) : null;
 }
 
-function receive(message: ToWorker<Order>): void {
-  if (message.type === 'build') build(message);
-  else if (message.type === 'hand' && message.world === world) want(message.wish);
-  else if (message.type === 'ask') send({ type: 'answer', id: message.id, value: answer(message.question) });
-  else if (message.type === 'pause') {
-    paused = message.paused;
-    restart();
+function receive(message: ToWorker<MuseumSetup>): void {
+  switch (message.type) {
+    case 'build':
+      build(message);
+      break;
+    case 'command':
+      if (message.world === world) commands.add(message.number, message.command);
+      break;
+    case 'watch':
+      selected = message.watched.selected;
+      break;
+    case 'ask':
+      send({ type: 'answer', id: message.id, value: answer(message.question) });
+      break;
+    case 'pause':
+      paused = message.paused;
+      restart();
+      break;
   }
 }
 
 Promise.all([loadEngine(), loadMuseum()]).then(
   ([ofEngine, ofOld]) => {
     memory = { engine: ofEngine.memory, old: ofOld.memory };
-    self.onmessage = (event: MessageEvent<ToWorker<Order>>) => guard(() => receive(event.data));
+    self.onmessage = (event: MessageEvent<ToWorker<MuseumSetup>>) => guard(() => receive(event.data));
     send({ type: 'scenes', list: [] });
   },
-  (error: unknown) => send({ type: 'failed', message: `the simulators did not load (${text(error)})` }),
+  (error: unknown) => send({ type: 'failed', message: `the simulators did not load (${errorText(error)})` }),
 );

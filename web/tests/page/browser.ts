@@ -1,4 +1,5 @@
-// A headless Chromium on the built page. WebGL is drawn in software there, so tests hold the picture small.
+// A headless Chromium on the built page. WebGL is drawn in software there, so tests keep the picture small, and wait for simulated time or
+// for conditions instead of wall time: a slow machine must not fail them.
 
 import { existsSync } from 'node:fs';
 import { fileURLToPath } from 'node:url';
@@ -6,7 +7,7 @@ import { chromium, type Browser, type BrowserContextOptions, type Page } from 'p
 import { preview, type PreviewServer } from 'vite';
 
 const ROOT = fileURLToPath(new URL('../..', import.meta.url));
-const PLACES = ['/usr/bin/chromium', '/usr/bin/chromium-browser', '/usr/bin/google-chrome'];
+const EXECUTABLES = ['/usr/bin/chromium', '/usr/bin/chromium-browser', '/usr/bin/google-chrome'];
 const FLAGS = [
   '--no-sandbox',
   '--use-gl=angle',
@@ -18,12 +19,15 @@ const FLAGS = [
   '--disable-component-update',
   '--disable-sync',
 ];
-/** A fifth of the resolution, the cheapest tier; the device chooses the form of blocks and the stiffness of contacts. */
+/** A fifth of the resolution and the lowest tier; the device chooses the form of the blocks and the stiffness of the contacts. */
 export const MEASURED = 'help=0&view=small&scale=0.2';
-/** The page as most tests open it: the same bits on every machine. */
+/** The page as most tests open it, with the same bits on every machine. */
 export const SMALL = `${MEASURED}&form=rigid&stiffness=1e6`;
-/** The same with springs inside the blocks, as stiff as their contacts. */
+/** The page with springs inside the blocks, as stiff as the contacts. */
 export const SPRUNG = `${MEASURED}&form=lattice&stiffness=1e6`;
+
+/** Longest time that a condition may take on a busy machine, ms. */
+const TIMEOUT = 180_000;
 
 export class Session {
   readonly complaints: string[] = [];
@@ -39,7 +43,7 @@ export class Session {
     page.on('requestfailed', request => this.complaints.push(`request failed: ${request.url()}`));
   }
 
-  /** Opens the page. `before` runs ahead of it; a page that is not expected to get `ready` is not waited for. */
+  /** Opens the page. `before` runs ahead of it; `ready: false` does not wait for it. */
   static async open(
     host: Host,
     query: string,
@@ -55,6 +59,7 @@ export class Session {
     } = {},
   ): Promise<Session> {
     const context = await host.browser.newContext({ viewport: { width: 900, height: 700 }, ...options });
+    context.setDefaultTimeout(TIMEOUT);
     const session = new Session(await context.newPage(), () => context.close());
     await before?.(session.page);
     await session.page.goto(`${host.address}${path}?${query}`);
@@ -68,8 +73,32 @@ export class Session {
 
   /** Waits until simulated time has gone on by `seconds`. */
   async simulate(seconds: number): Promise<void> {
-    const until = (await this.page.evaluate(() => window.teeter.time)) + seconds;
-    await this.page.waitForFunction(t => window.teeter.time >= t, until);
+    const until = (await this.page.evaluate(() => (window.teeter ?? window.museum.tower).time)) + seconds;
+    await this.page.waitForFunction(t => (window.teeter ?? window.museum.tower).time >= t, until, { polling: 10 });
+  }
+
+  /** Performs an action that builds a world, and waits for its first frame. */
+  async rebuild(action: () => Promise<unknown>): Promise<void> {
+    const before = await this.page.evaluate(() => (window.teeter ?? window.museum.tower).world);
+    await action();
+    const built = (n: number) => (window.teeter ?? window.museum.tower).world > n;
+    await this.page.waitForFunction(built, before);
+    await this.page.waitForFunction(() => (window.teeter ?? window.museum.tower).ready);
+  }
+
+  /** Waits until a value of the page is the same in four pictures, as that of a camera that has come to rest. */
+  async settled(read: () => unknown): Promise<void> {
+    await this.page.evaluate(async text => {
+      const value = () => JSON.stringify((0, eval)(`(${text})()`));
+      const picture = () => new Promise(resolve => requestAnimationFrame(resolve));
+      let same = 0;
+      for (let last = value(); same < 4;) {
+        await picture();
+        const next = value();
+        same = next === last ? same + 1 : 0;
+        last = next;
+      }
+    }, read.toString());
   }
 
   poses(): Promise<number[]> {
@@ -84,7 +113,7 @@ export interface Host {
 }
 
 export async function host(): Promise<Host> {
-  const executablePath = process.env.CHROMIUM ?? PLACES.find(existsSync);
+  const executablePath = process.env.CHROMIUM ?? EXECUTABLES.find(existsSync);
   if (!executablePath)
     throw new Error('no Chromium: install the package chromium, or name one in the variable CHROMIUM');
   if (!existsSync(`${ROOT}/dist/index.html`)) throw new Error('the page is not built: npm run build');
@@ -107,18 +136,30 @@ export async function host(): Promise<Host> {
   };
 }
 
-/** Moves the mouse from one place to another in steps, with a pause (ms) after each. */
+/** Moves the mouse in steps, and waits for so much simulated time after each (s); without it the mouse does not wait. */
 export async function drag(
   session: Session,
   from: { x: number; y: number },
   to: { x: number; y: number },
   steps: number,
-  pause: number,
+  seconds = 0,
 ) {
   for (let k = 1; k <= steps; k++) {
     await session.page.mouse.move(from.x + ((to.x - from.x) * k) / steps, from.y + ((to.y - from.y) * k) / steps);
-    await session.page.waitForTimeout(pause);
+    if (seconds > 0) await session.simulate(seconds);
   }
+}
+
+/** Clicks within an instant, so that a busy page takes it as a tap. */
+export async function tap({ mouse }: Page, { x, y }: { x: number; y: number }): Promise<void> {
+  await mouse.move(x, y);
+  await Promise.all([mouse.down(), mouse.up()]);
+}
+
+/** Hashes of the states of all steps until a simulated time (s), by time: as many on a slow machine as on a fast one. */
+export async function states(session: Session, until: number): Promise<Map<string, string>> {
+  const found = await session.page.evaluate(end => window.teeter.hashes(end), until);
+  return new Map(found.map(({ hash, time }) => [time.toFixed(4), hash]));
 }
 
 /** Standard deviation of the brightness (of 255) in a part of an element's picture: left, top, width, height as parts of it. */
@@ -145,8 +186,8 @@ export async function contrast(page: Page, selector: string, part = [0, 0, 1, 1]
   );
 }
 
-/** How far each body is from where it was, m. */
-export function ways(before: number[], after: number[]): number[] {
+/** Displacement of each body between two arrays of poses, m. */
+export function displacements(before: number[], after: number[]): number[] {
   return Array.from({ length: before.length / 7 }, (_, i) =>
     Math.hypot(...[0, 1, 2].map(k => after[7 * i + k] - before[7 * i + k])),
   );

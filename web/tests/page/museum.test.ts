@@ -4,7 +4,7 @@ import type { Page } from 'playwright-core';
 import { afterAll, beforeAll, expect, test } from 'vitest';
 import { EXHIBITS } from '../../src/museum/catalogue';
 import type { Method } from '../../src/museum/protocol';
-import { contrast, drag, host, Session, ways, type Host } from './browser';
+import { contrast, displacements, drag, host, Session, type Host } from './browser';
 
 let chrome: Host;
 beforeAll(async () => {
@@ -83,18 +83,17 @@ test('a block of the tower of 2003 comes out under the mouse, and its springs ca
   const { body, at, out } = (await facing(page))!;
   await page.mouse.move(at.x, at.y);
   await page.mouse.down();
-  await drag(session, at, out, 25, 40);
+  await drag(session, at, out, 25, 0.04);
   await simulate(page, 0.7);
   expect((await tower(page)).hand).toMatchObject({ body });
   await page.mouse.up();
-  const moved = ways(before.poses, (await tower(page)).poses);
-  expect(moved[body], 'way of the block, m').toBeGreaterThan(0.03);
+  const moved = displacements(before.poses, (await tower(page)).poses);
+  expect(moved[body], 'displacement of the block, m').toBeGreaterThan(0.03);
   expect(Math.min(...moved), 'a block that hardly moved, m').toBeLessThan(0.005);
   await page.click('#springs');
   await page.waitForFunction(() => window.museum.tower!.springs === 18 * 28);
   await page.waitForFunction(() => /^up to [\d.]+ m?N$/.test(document.getElementById('n-springs')!.textContent!));
-  await page.click('#restart');
-  await page.waitForFunction(() => window.museum.tower!.time < 0.3);
+  await session.rebuild(() => page.click('#restart'));
   expect(session.complaints).toEqual([]);
 });
 
@@ -111,28 +110,31 @@ test('the ghost takes each frame with the engine and the same hand, and the page
   const rest = await read();
   expect(rest.ghost.length).toBe(rest.poses.length);
   expect(rest.costs.old! > 0 && rest.costs.engine! > 0, 'both are timed').toBe(true);
-  const atRest = ways(rest.poses, rest.ghost);
+  const atRest = displacements(rest.poses, rest.ghost);
   expect(Math.max(...atRest), 'two towers at rest, m').toBeLessThan(0.002);
   expect(Math.max(...atRest), 'no copy of one another, m').toBeGreaterThan(1e-6);
   const { body, at, out } = (await facing(page))!;
   await page.mouse.move(at.x, at.y);
   await page.mouse.down();
-  await drag(session, at, out, 25, 40);
+  await drag(session, at, out, 25, 0.04);
   await simulate(page, 0.7);
   const pulled = await read();
   await page.mouse.up();
-  expect(ways(rest.poses, pulled.poses)[body], 'way of the engine’s block, m').toBeGreaterThan(0.03);
-  expect(ways(rest.ghost, pulled.ghost)[body], 'way of the ghost’s block, m').toBeGreaterThan(0.03);
-  expect(Math.max(...ways(pulled.poses, pulled.ghost)), 'the old method disturbs more, m').toBeGreaterThan(
+  expect(displacements(rest.poses, pulled.poses)[body], 'displacement of the engine’s block, m').toBeGreaterThan(0.03);
+  expect(displacements(rest.ghost, pulled.ghost)[body], 'displacement of the ghost’s block, m').toBeGreaterThan(0.03);
+  expect(Math.max(...displacements(pulled.poses, pulled.ghost)), 'the old method disturbs more, m').toBeGreaterThan(
     2 * Math.max(...atRest),
   );
   await page.keyboard.press(' ');
   expect(await page.getAttribute('#pause', 'aria-pressed'), 'the tower has the focus').toBe('true');
-  await page.waitForTimeout(600);
+  await session.settled(() => [window.museum.tower!.time, document.getElementById('n-apart')!.textContent]);
+  // The readout is written four times a second.
+  await page.waitForTimeout(300);
+  await session.settled(() => document.getElementById('n-apart')!.textContent);
   const still = await read();
-  const most = 1000 * Math.max(...ways(still.poses, still.ghost));
+  const max = 1000 * Math.max(...displacements(still.poses, still.ghost));
   expect(still.told).toMatch(/^\d+(\.\d+)? mm$/);
-  expect(Number.parseFloat(still.told)).toBeCloseTo(most, 1);
+  expect(Number.parseFloat(still.told)).toBeCloseTo(max, 1);
   expect(session.complaints).toEqual([]);
 });
 
@@ -148,21 +150,25 @@ test('the method is chosen with the keys, and the tower stands still while it is
   // Keys scroll the page, and do not turn the camera, unless the tower has the focus.
   await page.evaluate(() => (document.activeElement as HTMLElement).blur());
   const corner = () => page.evaluate(() => window.museum.tower!.screenOf(0, [0.04, 0, 0]));
-  await page.waitForTimeout(500);
+  // The towers settle before the camera is observed.
+  await session.simulate(0.5);
+  await session.settled(() => window.museum.tower!.camera);
   const before = await corner();
   await page.keyboard.press('ArrowDown');
   await page.keyboard.press('ArrowRight');
-  await page.waitForTimeout(500);
+  await session.settled(() => window.museum.tower!.camera);
   expect(Math.abs((await corner()).x - before.x), 'px').toBeLessThan(1);
   await page.focus('#picture');
   await page.keyboard.press('ArrowRight');
-  await page.waitForTimeout(500);
+  await session.settled(() => window.museum.tower!.camera);
   expect(Math.abs((await corner()).x - before.x), 'px').toBeGreaterThan(4);
   await page.locator('[data-method="penalty"] canvas').scrollIntoViewIfNeeded();
-  await page.waitForTimeout(400);
-  const { time } = await tower(page);
-  await page.waitForTimeout(400);
-  expect((await tower(page)).time).toBe(time);
+  const passed = async () => {
+    const { time } = await tower(page);
+    await page.waitForTimeout(400);
+    return (await tower(page)).time - time;
+  };
+  await expect.poll(passed, { timeout: 60_000 }).toBe(0);
   expect(session.complaints).toEqual([]);
 });
 
@@ -205,7 +211,7 @@ test.each(METHODS)('%s: runs, takes a block more, a pointer pulls, and it begins
   const to = await page.evaluate(([m, y]) => window.museum.planeAt(m, 0, y), [method, top + 0.021] as const);
   await page.mouse.move(box.x + at.x, box.y + at.y);
   await page.mouse.down();
-  await drag(session, { x: box.x + at.x, y: box.y + at.y }, { x: box.x + to.x, y: box.y + to.y }, 12, 30);
+  await drag(session, { x: box.x + at.x, y: box.y + at.y }, { x: box.x + to.x, y: box.y + to.y }, 12);
   await page.waitForFunction(
     ([m, y]) => Math.max(...window.museum.plane(m).corners.filter((_, i) => i % 2 === 1)) > y,
     [method, top + 0.01] as const,
@@ -214,7 +220,12 @@ test.each(METHODS)('%s: runs, takes a block more, a pointer pulls, and it begins
   // Stopped, it takes single steps.
   await page.click(part(method, 'single'));
   expect(await page.inputValue(part(method, 'speed'))).toBe('0');
-  await page.waitForTimeout(200);
+  const passed = async () => {
+    const { counts } = await plane(page, method);
+    await page.waitForTimeout(200);
+    return (await plane(page, method)).counts!.time - counts!.time;
+  };
+  await expect.poll(passed, { timeout: 60_000 }).toBe(0);
   const { counts } = await plane(page, method);
   await page.click(part(method, 'single'));
   await page.waitForFunction(([m, t]) => window.museum.plane(m).counts!.time > t, [method, counts!.time] as const);
@@ -229,7 +240,7 @@ test('a falling stack reaches the limit of the constraints (Figure 3.3) and need
   const numbers = async (method: Method) => {
     await visit(page, method);
     await page.selectOption(part(method, 'speed'), '1');
-    await page.waitForFunction(m => window.museum.plane(m).counts!.time > 0.15, method, { timeout: 30_000 });
+    await page.waitForFunction(m => window.museum.plane(m).counts!.time > 0.15, method);
     const told = await page.textContent(`${part(method, 'counters')} div:nth-child(2) dd`);
     return { most: Number(told!.split('most ')[1]), cut: (await plane(page, method)).counts!.cut };
   };

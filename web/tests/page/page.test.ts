@@ -2,8 +2,8 @@
 
 import type { Page } from 'playwright-core';
 import { afterAll, beforeAll, expect, test } from 'vitest';
-import { STIFFNESSES } from '../../src/device';
-import { contrast, drag, host, MEASURED, Session, SMALL, ways, type Host } from './browser';
+import { STIFFNESSES } from '../../src/engine/device';
+import { contrast, displacements, drag, host, MEASURED, Session, SMALL, states, tap, type Host } from './browser';
 
 let chrome: Host;
 beforeAll(async () => {
@@ -53,25 +53,11 @@ test('the tower stands ten seconds, awake', async () => {
   expect(told.awake).toBe(54);
   expect(told.state).toBe('standing');
   expect(told.quarantined).toEqual([]);
-  expect(Math.max(...ways(before, after)), 'largest way of a block, m').toBeLessThan(1e-5);
+  expect(Math.max(...displacements(before, after)), 'largest displacement of a block, m').toBeLessThan(1e-5);
   expect(first.hash).toMatch(/^[0-9a-f]{16}$/);
   expect(told.hash.hash).not.toBe(first.hash);
   expect(session.complaints).toEqual([]);
 });
-
-/** States of a tower of six rows in its first seconds, asked for as they come: hashes by time. */
-async function states(session: Session, until: number): Promise<Map<string, string>> {
-  const found = await session.page.evaluate(async end => {
-    const found: [string, string][] = [];
-    while (window.teeter.time < end) {
-      const { hash, time } = await window.teeter.hash();
-      found.push([time.toFixed(4), hash]);
-      await new Promise(resolve => setTimeout(resolve, 4));
-    }
-    return found;
-  }, until);
-  return new Map(found);
-}
 
 const SIX_ROWS = 'rows=6&seed=5&sleep=0&render=once';
 
@@ -177,8 +163,7 @@ test("the player can choose another stiffness, which stays until the choice is t
   expect(await page.textContent('#stiffness-value')).toBe('');
   await page.click('#new-seed');
   await session.simulate(0.5);
-  await page.click('#reset');
-  await page.waitForFunction(() => window.teeter.time < 0.4);
+  await session.rebuild(() => page.click('#reset'));
   await built({ value: 3e5, chosen: false });
   await page.selectOption('#stiffness', { label: 'Automatic' });
   await built({ chosen: true });
@@ -222,12 +207,12 @@ test('a loose block is pulled out with the mouse, carried, and put on top', asyn
   await page.mouse.move(at.x, at.y);
   await page.mouse.down();
   expect(await page.evaluate(() => window.teeter.hand?.body)).toBe(body);
-  await drag(session, at, out, 60, 40);
+  await drag(session, at, out, 60, 0.04);
   await page.waitForFunction(() => window.teeter.hand?.grip === 'carry');
   const free = await session.poses();
-  const pulled = ways(before, free);
-  expect(pulled[body], 'way of the pulled block, m').toBeGreaterThan(0.05);
-  expect(Math.max(...pulled.filter((_, i) => i !== body)), 'way of any other block, m').toBeLessThan(1e-3);
+  const pulled = displacements(before, free);
+  expect(pulled[body], 'displacement of the pulled block, m').toBeGreaterThan(0.05);
+  expect(Math.max(...pulled.filter((_, i) => i !== body)), 'displacement of any other block, m').toBeLessThan(1e-3);
 
   await page.waitForFunction(() => window.teeter.slots.length === 3);
   const way = await page.evaluate(b => {
@@ -235,10 +220,10 @@ test('a loose block is pulled out with the mouse, carried, and put on top', asyn
     const there = window.teeter.project(window.teeter.slots[1] as [number, number, number]);
     return { x: there.x - here.x, y: there.y - here.y, slot: window.teeter.slots[1] };
   }, body);
-  await drag(session, out, { x: out.x + way.x, y: out.y + way.y }, 60, 40);
+  await drag(session, out, { x: out.x + way.x, y: out.y + way.y }, 60, 0.04);
   await page.waitForFunction(() => window.teeter.hand?.slot);
   await page.mouse.up();
-  await page.waitForFunction(() => window.teeter.hand === null, undefined, { timeout: 20_000 });
+  await page.waitForFunction(() => window.teeter.hand === null);
   await session.simulate(1.5);
 
   const after = await session.poses();
@@ -248,8 +233,8 @@ test('a loose block is pulled out with the mouse, carried, and put on top', asyn
     place[2] - Math.max(...after.filter((_, i) => i % 7 === 2 && (i - 2) / 7 !== body)),
     'above the row beneath, m',
   ).toBeGreaterThan(0.01);
-  const moved = ways(before, after);
-  expect(Math.max(...moved.filter((_, i) => i !== body)), 'way of any other block, m').toBeLessThan(0.005);
+  const moved = displacements(before, after);
+  expect(Math.max(...moved.filter((_, i) => i !== body)), 'displacement of any other block, m').toBeLessThan(0.005);
   expect(await page.evaluate(() => window.teeter.state)).toBe('standing');
   expect(session.complaints).toEqual([]);
 });
@@ -264,8 +249,8 @@ test('a block that was let fall is put on top by the button', async () => {
   const { body } = top;
   await page.mouse.move(top.x, top.y);
   await page.mouse.down();
-  await drag(session, top, { x: top.x, y: top.y - 120 }, 20, 30);
-  await drag(session, { x: top.x, y: top.y - 120 }, { x: top.x + 330, y: top.y - 60 }, 30, 40);
+  await drag(session, top, { x: top.x, y: top.y - 120 }, 20, 0.03);
+  await drag(session, { x: top.x, y: top.y - 120 }, { x: top.x + 330, y: top.y - 60 }, 30, 0.04);
   await session.simulate(1);
   await page.mouse.up();
   await session.simulate(2.5);
@@ -275,14 +260,14 @@ test('a block that was let fall is put on top by the button', async () => {
   await page.waitForSelector('#place:enabled');
   await page.click('#place');
   await page.waitForFunction(() => window.teeter.hand?.placing);
-  await page.waitForFunction(() => window.teeter.hand === null, undefined, { timeout: 20_000 });
+  await page.waitForFunction(() => window.teeter.hand === null);
   await session.simulate(1);
   const after = await session.poses();
   expect(Math.abs(after[7 * body + 2] - before[7 * body + 2]), 'back at the height of the top row, m').toBeLessThan(
     0.001,
   );
-  const moved = ways(before, after);
-  expect(Math.max(...moved.filter((_, i) => i !== body)), 'way of any other block, m').toBeLessThan(0.002);
+  const moved = displacements(before, after);
+  expect(Math.max(...moved.filter((_, i) => i !== body)), 'displacement of any other block, m').toBeLessThan(0.002);
 });
 
 test('a block that carries the tower does not move, and the page says what holds it', async () => {
@@ -308,11 +293,11 @@ test('a block that carries the tower does not move, and the page says what holds
   const before = await session.poses();
   await page.mouse.move(heavy!.at.x, heavy!.at.y);
   await page.mouse.down();
-  await drag(session, heavy!.at, heavy!.out, 20, 30);
+  await drag(session, heavy!.at, heavy!.out, 20, 0.03);
   await page.waitForFunction(() => (window.teeter.hand?.holders.length ?? 0) > 0);
   expect(await page.locator('#ring-note').textContent()).toMatch(/held by \d+ blocks?, \d+\.\d N/);
   expect(await page.evaluate(() => window.teeter.hand!.force)).toBeLessThanOrEqual(1.001);
-  expect(ways(before, await session.poses())[heavy!.body], 'way of the block, m').toBeLessThan(1e-3);
+  expect(displacements(before, await session.poses())[heavy!.body], 'displacement of the block, m').toBeLessThan(1e-3);
   await page.keyboard.press('Escape');
   expect(await page.evaluate(() => window.teeter.hand)).toBeNull();
   await page.mouse.up();
@@ -323,13 +308,13 @@ test('a tap on its end pokes a loose block inwards', async () => {
   await session.simulate(2);
   const { body, at } = (await findLoose(session))!;
   const before = await session.poses();
-  for (let tap = 0; tap < 2; tap++) {
-    await session.page.mouse.click(at.x, at.y);
+  for (let round = 0; round < 2; round++) {
+    await tap(session.page, at);
     await session.simulate(0.8);
   }
-  const moved = ways(before, await session.poses());
-  expect(moved[body], 'way of the poked block, m').toBeGreaterThan(0.002);
-  expect(Math.max(...moved.filter((_, i) => i !== body)), 'way of any other block, m').toBeLessThan(1e-3);
+  const moved = displacements(before, await session.poses());
+  expect(moved[body], 'displacement of the poked block, m').toBeGreaterThan(0.002);
+  expect(Math.max(...moved.filter((_, i) => i !== body)), 'displacement of any other block, m').toBeLessThan(1e-3);
   expect(await session.page.evaluate(() => window.teeter.hand)).toBeNull();
 });
 
@@ -348,7 +333,7 @@ test('a pause lets the camera turn while a block is held, and the hand goes on a
   const { body, at } = top!;
   await page.mouse.move(at.x, at.y);
   await page.mouse.down();
-  await drag(session, at, { x: at.x, y: at.y - 60 }, 20, 30);
+  await drag(session, at, { x: at.x, y: at.y - 60 }, 20, 0.03);
   await session.simulate(0.5);
   const look = () =>
     page.evaluate(() => ({
@@ -365,8 +350,8 @@ test('a pause lets the camera turn while a block is held, and the hand goes on a
   const frozen = await look();
   expect(frozen.paused).toBe(true);
   expect(frozen.camera.azimuth).toBe(held.camera.azimuth);
-  await drag(session, { x: at.x, y: at.y - 60 }, { x: at.x + 150, y: at.y - 20 }, 15, 20);
-  await page.waitForTimeout(600);
+  await drag(session, { x: at.x, y: at.y - 60 }, { x: at.x + 150, y: at.y - 20 }, 15);
+  await session.settled(() => window.teeter.camera);
   const turned = await look();
   expect(Math.abs(turned.camera.azimuth - held.camera.azimuth), 'turn of the camera, rad').toBeGreaterThan(0.5);
   expect(turned.hand).toMatchObject({ body, grip: 'carry' });
@@ -376,7 +361,7 @@ test('a pause lets the camera turn while a block is held, and the hand goes on a
   const before = await session.poses();
   await page.keyboard.press(' ');
   await session.simulate(0.2);
-  await drag(session, { x: at.x + 150, y: at.y - 20 }, { x: at.x + 150, y: at.y - 60 }, 15, 30);
+  await drag(session, { x: at.x + 150, y: at.y - 20 }, { x: at.x + 150, y: at.y - 60 }, 15, 0.03);
   await session.simulate(0.5);
   const resumed = await look();
   expect(resumed.hand).toMatchObject({ body, grip: 'carry' });
@@ -403,7 +388,7 @@ test('a finger on empty space turns the camera, two fingers zoom, and the tower 
   await send('touchStart', [{ x: 60, y: 250, id: 0 }]);
   for (let k = 1; k <= 10; k++) await send('touchMove', [{ x: 60 + 16 * k, y: 250 + 6 * k, id: 0 }]);
   await send('touchEnd', []);
-  await page.waitForTimeout(600);
+  await session.settled(() => window.teeter.camera);
   const turned = await page.evaluate(() => window.teeter.camera);
   expect(Math.abs(turned.azimuth - before.camera.azimuth), 'rad').toBeGreaterThan(0.5);
   expect(turned.elevation - before.camera.elevation, 'rad').toBeGreaterThan(0.15);
@@ -421,13 +406,13 @@ test('a finger on empty space turns the camera, two fingers zoom, and the tower 
     ]);
   }
   await send('touchEnd', []);
-  await page.waitForTimeout(600);
+  await session.settled(() => window.teeter.camera);
   expect(distance(await page.evaluate(() => window.teeter.camera)) / distance(turned), 'closer by').toBeLessThan(0.8);
-  expect(Math.max(...ways(before.poses, await session.poses()))).toBeLessThan(1e-3);
+  expect(Math.max(...displacements(before.poses, await session.poses()))).toBeLessThan(1e-3);
 
   // The first finger on a block is the hand, the second moves the block away; the camera stands still.
   await page.keyboard.press('f');
-  await page.waitForTimeout(800);
+  await session.settled(() => window.teeter.camera);
   const top = (await topBlock(page))!;
   const camera = await page.evaluate(() => window.teeter.camera);
   await send('touchStart', [{ x: top.x, y: top.y, id: 0 }]);
@@ -444,7 +429,7 @@ test('a finger on empty space turns the camera, two fingers zoom, and the tower 
   expect(
     -(sight[0] * camera.position[0] + sight[1] * camera.position[1]) /
       Math.hypot(camera.position[0], camera.position[1]),
-    'way from the viewer, m',
+    'displacement from the viewer, m',
   ).toBeGreaterThan(0.02);
   expect(await page.evaluate(() => window.teeter.camera)).toEqual(camera);
   await send('touchEnd', []);
@@ -533,12 +518,11 @@ test('controls: a new seed, fewer rows, another scene, reset', async () => {
   await page.click('#new-seed');
   const seed = await page.inputValue('#seed');
   expect(seed).not.toBe('1');
-  await expect.poll(heights).not.toEqual(first);
+  await expect.poll(heights, { timeout: 60_000 }).not.toEqual(first);
   await page.selectOption('#scene', 'column');
   await page.waitForFunction(() => window.teeter.count === 10);
   await session.simulate(0.5);
-  await page.click('#reset');
-  await page.waitForFunction(() => window.teeter.time < 0.4);
+  await session.rebuild(() => page.click('#reset'));
   expect(await page.evaluate(() => window.teeter.count)).toBe(10);
   expect(session.complaints).toEqual([]);
 });

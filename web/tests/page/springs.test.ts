@@ -2,8 +2,8 @@
 
 import type { Page } from 'playwright-core';
 import { afterAll, beforeAll, expect, test } from 'vitest';
-import { DIAL, stepOf } from '../../src/dial';
-import { host, Session, SMALL, SPRUNG, ways, type Host } from './browser';
+import { DIAL, stepOf } from '../../src/ui/springs-dial';
+import { displacements, host, Session, SMALL, SPRUNG, states, type Host } from './browser';
 
 let chrome: Host;
 beforeAll(async () => {
@@ -45,7 +45,10 @@ test('a standing tower gets springs and loses them, and no block moves by a tent
     expect(await page.evaluate(() => window.teeter.springs)).toBe(springs);
     expect(await page.isVisible('#springs')).toBe(springs !== null);
     await session.simulate(0.5);
-    expect(Math.max(...ways(before, await session.poses())), `way of a block, m, ${form}`).toBeLessThan(1e-4);
+    expect(
+      Math.max(...displacements(before, await session.poses())),
+      `displacement of a block, m, ${form}`,
+    ).toBeLessThan(1e-4);
   }
   expect(await page.evaluate(() => window.teeter.state)).toBe('standing');
   expect(session.complaints).toEqual([]);
@@ -58,7 +61,7 @@ test('soft springs squash the tower, stiff ones raise it again, and neither is a
   await page.click('#settings');
   expect(await page.textContent('#springs-value')).toBe('1000 N/mm');
   const before = await top(session);
-  await dial(page, DIAL.least);
+  await dial(page, DIAL.min);
   expect(await page.textContent('#springs-value')).toBe('1 N/mm');
   await session.simulate(1.5);
   const soft = await top(session);
@@ -117,7 +120,11 @@ test('the springs view draws springs in see-through blocks, with a legend in new
     `help=0&quality=low&scale=0.5&form=lattice&stiffness=1e6&${SIX_ROWS}`,
   );
   const { page } = session;
-  const drawn = () => page.waitForTimeout(2500);
+  // The scale has settled by then, and a picture that is due has been drawn.
+  const drawn = async () => {
+    await page.waitForTimeout(2500);
+    await session.settled(() => window.teeter.ready);
+  };
   await session.simulate(0.5);
   await drawn();
   const wood = await pixels(page);
@@ -180,7 +187,7 @@ test('a block of jelly is taken by the hand where it is seen', async () => {
   await page.mouse.down();
   for (let k = 1; k <= 20; k++) {
     await page.mouse.move(at.x, at.y - 4 * k);
-    await page.waitForTimeout(30);
+    await session.simulate(0.03);
   }
   await session.simulate(0.5);
   expect(await page.evaluate(() => window.teeter.hand)).toMatchObject({ body, grip: 'carry' });
@@ -191,21 +198,12 @@ test('a block of jelly is taken by the hand where it is seen', async () => {
 });
 
 test('the same address gives the same states, springs and all', async () => {
-  const states: Map<number, string>[] = [];
+  const runs: Map<string, string>[] = [];
   for (let run = 0; run < 2; run++) {
     await using session = await Session.open(chrome, `${SPRUNG}&springs=1e5&${SIX_ROWS}`);
-    const found = await session.page.evaluate(async () => {
-      const found: [number, string][] = [];
-      while (window.teeter.time < 1.5) {
-        const { hash, time } = await window.teeter.hash();
-        found.push([Math.round(time * 60), hash]);
-        await new Promise(resolve => setTimeout(resolve, 4));
-      }
-      return found;
-    });
-    states.push(new Map(found));
+    runs.push(await states(session, 1.5));
   }
-  const common = [...states[0].keys()].filter(time => states[1].has(time));
+  const common = [...runs[0].keys()].filter(time => runs[1].has(time));
   expect(common.length).toBeGreaterThan(20);
-  expect(common.map(time => states[1].get(time))).toEqual(common.map(time => states[0].get(time)));
+  expect(common.map(time => runs[1].get(time))).toEqual(common.map(time => runs[0].get(time)));
 });

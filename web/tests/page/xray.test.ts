@@ -1,7 +1,7 @@
 // The X-ray on the page: figures on blocks of a tower at rest, none while it moves, and what it calls loose comes out.
 
 import { afterAll, beforeAll, expect, test } from 'vitest';
-import { host, Session, SMALL, SPRUNG, ways, type Host } from './browser';
+import { displacements, host, Session, SMALL, SPRUNG, type Host } from './browser';
 
 let chrome: Host;
 beforeAll(async () => {
@@ -66,12 +66,12 @@ test('a block that the X-ray calls loose comes out by the mouse while the tower 
   expect(await figures(session)).toEqual([]);
   for (let k = 1; k <= 60; k++) {
     await page.mouse.move(at.x + ((out.x - at.x) * k) / 60, at.y + ((out.y - at.y) * k) / 60);
-    await page.waitForTimeout(40);
+    await session.simulate(0.04);
   }
   await page.waitForFunction(() => window.teeter.hand?.grip === 'carry');
-  const moved = ways(before, await session.poses());
-  expect(moved[body], 'way of the loose block, m').toBeGreaterThan(0.05);
-  expect(Math.max(...moved.filter((_, i) => i !== body)), 'way of any other block, m').toBeLessThan(1e-3);
+  const moved = displacements(before, await session.poses());
+  expect(moved[body], 'displacement of the loose block, m').toBeGreaterThan(0.05);
+  expect(Math.max(...moved.filter((_, i) => i !== body)), 'displacement of any other block, m').toBeLessThan(1e-3);
   expect(await page.evaluate(() => window.teeter.state)).not.toBe('fallen');
   await page.mouse.up();
   await known(session);

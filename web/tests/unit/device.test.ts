@@ -2,8 +2,17 @@
 // where faster and smaller ones get none, and what play shows is believed.
 
 import { expect, test } from 'vitest';
-import { Device, LEAST_WITH_SPRINGS, load, measure, measureForm, STIFFNESSES, stiffest, TRIAL } from '../../src/device';
-import { FRAME, type Form } from '../../src/protocol';
+import {
+  Device,
+  MIN_WITH_SPRINGS,
+  load,
+  measure,
+  measureForm,
+  STIFFNESSES,
+  maxStiffness,
+  CALIBRATION,
+} from '../../src/engine/device';
+import { FRAME, type Form } from '../../src/engine/game-protocol';
 
 /** A clock that only steps move, and shows whole ticks, s. */
 class Clock {
@@ -23,28 +32,28 @@ const BLOCKS = [1, 9, 18, 54, 90, 120, 600];
 
 test('a slower device and a larger tower never get stiffer contacts', () => {
   for (const blocks of BLOCKS) {
-    const chosen = COSTS.map(cost => stiffest(cost, blocks));
+    const chosen = COSTS.map(cost => maxStiffness(cost, blocks));
     expect(chosen, `${blocks} blocks`).toEqual([...chosen].sort((a, b) => b - a));
   }
   for (const cost of COSTS) {
-    const chosen = BLOCKS.map(blocks => stiffest(cost, blocks));
+    const chosen = BLOCKS.map(blocks => maxStiffness(cost, blocks));
     expect(chosen, `${cost} s a frame`).toEqual([...chosen].sort((a, b) => b - a));
   }
-  expect(new Set(COSTS.map(cost => stiffest(cost, 54))), 'each of the three is somewhere the right one').toEqual(
+  expect(new Set(COSTS.map(cost => maxStiffness(cost, 54))), 'each of the three is somewhere the right one').toEqual(
     new Set(STIFFNESSES),
   );
 });
 
 test('the fastest device gets the stiffest contacts, and the slowest the softest', () => {
-  expect(stiffest(0, 54)).toBe(3e6);
-  expect(stiffest(1e-4, 54)).toBe(3e6);
-  for (const cost of [0.05, 1000, Infinity, NaN]) expect(stiffest(cost, 54)).toBe(3e5);
+  expect(maxStiffness(0, 54)).toBe(3e6);
+  expect(maxStiffness(1e-4, 54)).toBe(3e6);
+  for (const cost of [0.05, 1000, Infinity, NaN]) expect(maxStiffness(cost, 54)).toBe(3e5);
 });
 
 test('what is chosen leaves a frame of three times the cost of the trial in real time, and the next stiffer one would not', () => {
   for (const blocks of BLOCKS) {
     for (const cost of COSTS) {
-      const chosen = stiffest(cost, blocks);
+      const chosen = maxStiffness(cost, blocks);
       const stiffer = STIFFNESSES[STIFFNESSES.indexOf(chosen) + 1];
       if (chosen > STIFFNESSES[0]) expect(3 * cost * load(blocks, chosen)).toBeLessThan(FRAME);
       if (stiffer) expect(4 * cost * load(blocks, stiffer)).toBeGreaterThan(FRAME);
@@ -53,7 +62,7 @@ test('what is chosen leaves a frame of three times the cost of the trial in real
 });
 
 test('the load is that of the trial for the tower of the trial, and grows with blocks and with the root of stiffness', () => {
-  expect(load(TRIAL.blocks, TRIAL.stiffness)).toBe(1);
+  expect(load(CALIBRATION.blocks, CALIBRATION.stiffness)).toBe(1);
   expect(load(120, 1e6)).toBeCloseTo(120 / 54, 9);
   expect(load(54, 4e6)).toBeCloseTo(2, 9);
 });
@@ -145,7 +154,7 @@ test('springs are chosen only with contacts that tell loose from tight, and leav
   for (const cost of COSTS) {
     const { form, stiffness } = sprung(cost).choose(54);
     if (form === 'rigid') continue;
-    expect(stiffness).toBeGreaterThanOrEqual(LEAST_WITH_SPRINGS);
+    expect(stiffness).toBeGreaterThanOrEqual(MIN_WITH_SPRINGS);
     expect(2 * 7 * cost * load(54, stiffness, stiffness)).toBeLessThan(FRAME);
   }
 });

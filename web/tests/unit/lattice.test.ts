@@ -2,19 +2,19 @@
 
 import { Quaternion, Vector3 } from 'three';
 import { expect, test } from 'vitest';
-import { Bodies } from '../../src/bodies';
-import { pick } from '../../src/boxes';
+import { Bodies } from '../../src/view/bodies';
+import { pick } from '../../src/view/picking';
 import {
   ENDS,
-  farthest,
-  greatest,
+  maxDeformation,
+  maxForce,
   LATTICE_STRIDE,
   Lattices,
   PARTICLES,
   SPRINGS,
   strains,
   unstrained,
-} from '../../src/lattice';
+} from '../../src/view/lattice';
 import { SIZE } from './towers';
 
 const PLACE = 1 / Math.sqrt(3);
@@ -60,9 +60,9 @@ test('the strain is found in the frame of the block, whatever its place and turn
 });
 
 test('the way of a corner along the axis on which it is moved farthest, and nothing where there is none', () => {
-  expect(farthest(unstrained(2), [...SIZES, ...SIZES])).toBe(0);
+  expect(maxDeformation(unstrained(2), [...SIZES, ...SIZES])).toBe(0);
   const strain = strains(particles(SQUASHED), POSE, SIZES, PLACE);
-  expect(farthest(strain, SIZES)).toBeCloseTo(0.2 * 0.009, 6);
+  expect(maxDeformation(strain, SIZES)).toBeCloseTo(0.2 * 0.009, 6);
 });
 
 test('the surface of a block is that of its particles, and the hand holds it by its pose', () => {
@@ -108,14 +108,14 @@ test('the picture is between two states, and springs that go away go at once', (
   lattices.arrive(b);
   expect(lattices.blend(0.25)).toBe(true);
   expect(lattices.shown![24]).toBeCloseTo(0.5, 6);
-  expect(greatest(lattices.shown!)).toBeCloseTo(0.5, 6);
+  expect(maxForce(lattices.shown!)).toBeCloseTo(0.5, 6);
   lattices.arrive(null);
   expect(lattices.blend(0.25)).toBe(true);
   expect(lattices.shown).toBeNull();
 });
 
-test('the greatest force is of a spring, never a place', () => {
+test('the largest force is of a spring, never a place', () => {
   const lattice = particles(p => p.multiplyScalar(100));
   lattice[LATTICE_STRIDE - 1] = -0.3;
-  expect(greatest(lattice)).toBeCloseTo(0.3, 6);
+  expect(maxForce(lattice)).toBeCloseTo(0.3, 6);
 });

@@ -1,43 +1,42 @@
 // Pure pieces of the museum: distances between towers, the strip of iterations, and the hand that cannot turn a block.
 
 import { expect, test } from 'vitest';
-import { Hand } from '../../src/hand';
-import { apart, millimetres } from '../../src/museum/apart';
-import { Chart, height, KEPT } from '../../src/museum/chart';
+import { HandControl } from '../../src/hand/control/hand-control';
+import { millimetres, towerDistance } from '../../src/museum/distance';
+import { barHeight, Chart, MAX_BARS } from '../../src/museum/chart';
 import { EXHIBITS } from '../../src/museum/catalogue';
-import { Orbit } from '../../src/orbit';
-import { tower } from './towers';
+import { still, tower } from './towers';
 
 test('two towers are as far apart as the block that is farthest off', () => {
   const a = tower(['xxx', 'xxx']).newest;
   const b = a.slice();
-  expect(apart(a, b)).toMatchObject({ most: 0, mean: 0 });
+  expect(towerDistance(a, b)).toMatchObject({ max: 0, mean: 0 });
   b[7 * 4] += 0.003;
   b[7 * 4 + 1] -= 0.004;
   b[7 * 2 + 2] += 0.001;
-  const { most, body, mean, each } = apart(a, b);
+  const { max, body, mean, each } = towerDistance(a, b);
   expect(body).toBe(4);
-  expect(most).toBeCloseTo(0.005, 7);
+  expect(max).toBeCloseTo(0.005, 7);
   expect(mean).toBeCloseTo(0.001, 7);
   expect(each[2]).toBeCloseTo(0.001, 7);
   // A turn in place moves no centre.
   b.set(a);
   b.set([0, 0, 1, 0], 3);
-  expect(apart(a, b).most).toBe(0);
+  expect(towerDistance(a, b).max).toBe(0);
   expect([0.000123, 0.0123, 0.123].map(millimetres)).toEqual(['0.12 mm', '12.3 mm', '123 mm']);
 });
 
 test('the strip goes with the logarithm up to its limit, and keeps the last pictures', () => {
-  expect(height(0, 1000)).toBe(0);
-  expect(height(1, 1000)).toBeCloseTo(0.1);
-  expect(height(10, 1000)).toBeCloseTo(0.4);
-  expect(height(1000, 1000)).toBe(1);
-  expect(height(5000, 1000)).toBe(1);
+  expect(barHeight(0, 1000)).toBe(0);
+  expect(barHeight(1, 1000)).toBeCloseTo(0.1);
+  expect(barHeight(10, 1000)).toBeCloseTo(0.4);
+  expect(barHeight(1000, 1000)).toBe(1);
+  expect(barHeight(5000, 1000)).toBe(1);
   const chart = new Chart();
-  for (let n = 0; n < KEPT + 5; n++) chart.add(n);
-  expect(chart.bars.length).toBe(KEPT);
-  expect(chart.bars[KEPT - 1]).toBe(KEPT + 4);
-  chart.restart();
+  for (let n = 0; n < MAX_BARS + 5; n++) chart.add(n);
+  expect(chart.bars.length).toBe(MAX_BARS);
+  expect(chart.bars[MAX_BARS - 1]).toBe(MAX_BARS + 4);
+  chart.clear();
   expect(chart.bars).toEqual([]);
 });
 
@@ -57,11 +56,10 @@ test('a hand that cannot turn a block lays it only where it lies the same way', 
   const bodies = tower(['xxx', 'xxx', 'xxx', 'xx.']);
   const beside = 10;
   bodies.newest.set([0.3, 0.1, 0.009], 7 * beside);
-  const hand = new Hand({ hand: () => undefined }, new Orbit(true), bodies);
-  const canPlace = (turns: boolean) => {
-    hand.turns = turns;
-    hand.selected = beside;
-    return hand.canPlace();
+  const control = new HandControl(still(bodies), bodies);
+  const canPlace = (can_turn: boolean) => {
+    control.apply({ command: 'set_hand', can_turn }, []);
+    return control.canPlace(beside);
   };
   expect([canPlace(true), canPlace(false)], 'it lies as the top row').toEqual([true, true]);
   bodies.newest.copyWithin(7 * beside + 3, 3, 7);

@@ -2,7 +2,7 @@
 
 import { Vector3 } from 'three';
 import { expect, test } from 'vitest';
-import { Orbit } from '../../src/orbit';
+import { Orbit } from '../../src/view/orbit';
 
 /** Half the width of a row, m. */
 const HALF = 0.0375;
@@ -42,8 +42,8 @@ for (const { name, width, height, above, below } of PICTURES) {
   function isClear(orbit: Orbit, rows: number): void {
     for (const x of [-HALF, HALF]) {
       for (const y of [-HALF, HALF]) {
-        const foot = orbit.project(new Vector3(x, y, 0), width, height);
-        const head = orbit.project(new Vector3(x, y, rows * ROW), width, height);
+        const foot = orbit.project(new Vector3(x, y, 0));
+        const head = orbit.project(new Vector3(x, y, rows * ROW));
         expect(foot.y).toBeLessThan(height - below);
         expect(head.y).toBeGreaterThan(above);
         for (const end of [foot, head]) {
@@ -59,19 +59,19 @@ test('a picture that changes its shape does not undo a zoom', () => {
   const orbit = new Orbit(true);
   orbit.resize(390, 844);
   orbit.frame(18 * ROW, -0.9);
-  const pixels = (width: number, height: number) => {
+  const pixels = (height: number) => {
     while (orbit.update(1));
-    const at = (z: number) => orbit.project(new Vector3(0, 0, z), width, height).y;
+    const at = (z: number) => orbit.project(new Vector3(0, 0, z)).y;
     return (at(0.1) - at(0.16)) / height;
   };
-  const whole = pixels(390, 844);
+  const whole = pixels(844);
   orbit.zoom(0.5);
-  const near = pixels(390, 844) / whole;
+  const near = pixels(844) / whole;
   orbit.resize(844, 390);
-  const turned = pixels(844, 390);
+  const turned = pixels(390);
   orbit.resize(390, 844);
-  expect(pixels(390, 844) / whole).toBeCloseTo(near, 6);
+  expect(pixels(844) / whole).toBeCloseTo(near, 6);
   orbit.zoom(2);
   orbit.resize(844, 390);
-  expect(turned / pixels(844, 390)).toBeGreaterThan(1.6);
+  expect(turned / pixels(390)).toBeGreaterThan(1.6);
 });

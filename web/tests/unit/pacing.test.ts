@@ -1,7 +1,7 @@
 // Time: steps are due at the rate of the clock, time that cannot be caught up is dropped, and never a step.
 
 import { expect, test } from 'vitest';
-import { Blend, Pace, Rate, Speedometer } from '../../src/pacing';
+import { Blend, Pace, Rate, Speedometer } from '../../src/engine/pacing';
 
 const FRAME = 1 / 60;
 const drain = (pace: Pace) => {

@@ -2,7 +2,7 @@
 
 import { Vector3 } from 'three';
 import { expect, test } from 'vitest';
-import { topSlots } from '../../src/slots';
+import { topSlots } from '../../src/hand/control/slots';
 import { PITCH, SIZE, tower } from './towers';
 
 const alongOf = (turn: { x: number; y: number; z: number; w: number }) => 2 * Math.atan2(turn.z, turn.w);

@@ -1,0 +1,140 @@
+// Ties the game in the worker to the page: builds worlds, sends commands, and takes what the worker sends.
+
+import { Client } from '../engine/client';
+import type { Form, Update } from '../engine/game-protocol';
+import type { Built, Frame, SceneEntry, XRay } from '../engine/protocol';
+import { Hand } from '../hand/hand';
+import type { Mode, ModeUi } from '../modes/mode';
+import { showTrouble, type Notice } from '../ui/notice';
+import { SlowMotion } from './slow-motion';
+import type { Stage } from './stage';
+import { setupOf, type PageStore, type Settings } from './state';
+import type { Options } from './url';
+
+/** Duration of a notice that reports an error, s. */
+const LONG = 8;
+/** Listed scenes that the tower's own settings cover. */
+const COVERED = ['tower', 'official'];
+
+export class Play {
+  readonly client: Client;
+  readonly hand: Hand;
+  private readonly slowMotion = new SlowMotion();
+  private readonly modeUi: ModeUi;
+
+  /** `xray` takes the X-ray of a tower at rest. */
+  constructor(
+    private readonly store: PageStore,
+    private readonly stage: Stage,
+    private readonly mode: Mode,
+    private readonly notice: Notice,
+    private readonly xray: (xray: XRay) => void,
+  ) {
+    this.client = new Client(new Worker(new URL('../engine/worker.ts', import.meta.url), { type: 'module' }), {
+      scenes: list => this.listScenes(list),
+      built: world => this.begin(world),
+      frame: frame => this.receive(frame),
+      xray: xray => this.xray(xray),
+      refused: message => notice.show(`This scene cannot be built: ${message}`, LONG),
+      failed: message => showTrouble(`The physics stopped: ${message}. Load the page again to start over.`),
+    });
+    this.hand = new Hand(this.client, store, stage.orbit, () => stage.bodies!);
+    this.modeUi = {
+      notice: (text, seconds) => notice.show(text, seconds),
+      contacts: body => this.client.ask({ what: 'contacts', body }),
+    };
+  }
+
+  /** Starts what depends on the state of the page. */
+  start(options: Options): void {
+    const { store, client } = this;
+    const pause = () => client.pause(store.state.paused || document.hidden);
+    store.subscribe(['paused'], pause);
+    document.addEventListener('visibilitychange', pause);
+    store.subscribe(['overlay', 'selected'], ({ overlay, selected }) => {
+      client.watch({ springs: overlay === 'springs', xray: overlay === 'xray', selected });
+    });
+    store.subscribe(['overlay'], () => this.stage.view.invalidate());
+    store.subscribe(['world'], ({ world }) => {
+      const { canTurn: can_turn } = this.mode.rules(options);
+      if (world) client.command({ command: 'set_hand', can_turn });
+    });
+  }
+
+  /** Changes settings; they count from the next build. */
+  change(change: Partial<Settings>): void {
+    this.store.set({ settings: { ...this.store.state.settings, ...change } });
+  }
+
+  /** Builds the world of the settings. */
+  build(): void {
+    this.hand.letGo();
+    this.client.build(setupOf(this.store.state.settings));
+  }
+
+  /** Changes settings and builds their world. */
+  rebuild(change: Partial<Settings>): void {
+    this.change(change);
+    this.build();
+  }
+
+  /** Changes the blocks of the standing tower as well; without a form the device chooses it for a new tower. */
+  setForm(form: Form | null): void {
+    if (!form) return this.rebuild({ form });
+    this.change({ form });
+    this.setBlocks(form);
+  }
+
+  /** Changes the springs inside the blocks, N/m; null for springs as stiff as the contacts. */
+  setSprings(springs: number | null): void {
+    this.change({ springs });
+    this.setBlocks('lattice');
+  }
+
+  togglePause(): void {
+    const paused = !this.store.state.paused;
+    this.store.set({ paused });
+    if (paused && this.hand.holds) this.notice.show('Paused. Look around; the block stays in your hand.');
+  }
+
+  private listScenes(list: SceneEntry[]): void {
+    const scenes = list.filter(entry => !COVERED.includes(entry.name));
+    this.store.set({ scenes });
+    if (!scenes.some(entry => entry.name === this.store.state.settings.scene)) this.change({ scene: null });
+    this.build();
+  }
+
+  private setBlocks(form: Form): void {
+    const { springs } = this.store.state.settings;
+    this.client.command({ command: 'set_blocks', form, spring_stiffness: springs });
+  }
+
+  private begin(world: Built): void {
+    this.stage.begin(world);
+    this.slowMotion.reset();
+    this.store.set({ world, frame: null, form: world.form, selected: null, paused: false });
+  }
+
+  private receive(frame: Frame): void {
+    const { store, mode } = this;
+    const { update } = frame;
+    if (!store.state.world) return;
+    this.stage.receive(frame);
+    this.reportQuarantined(update, store.state.frame?.update ?? null);
+    store.set({ frame });
+    // The form changes only by a command; the device's choice then no longer counts.
+    if (update.form !== store.state.form.value) store.set({ form: { value: update.form, chosen: false } });
+    this.hand.receive(frame);
+    for (const event of update.events) mode.onEvent(event, this.modeUi);
+    for (const command of mode.commands?.(update) ?? []) this.client.command(command);
+    if (this.slowMotion.begins(frame.factor))
+      this.notice.show(`Slow motion, ${frame.factor.toFixed(1)}×: this device cannot keep up.`);
+  }
+
+  private reportQuarantined({ report }: Update, before: Update | null): void {
+    for (const body of report.quarantined) {
+      if (!before?.report.quarantined.includes(body))
+        this.notice.show(`Block ${body} became unstable and was frozen where it was.`, LONG);
+    }
+  }
+}

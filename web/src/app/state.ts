@@ -1,0 +1,101 @@
+// Fields of the page's state.
+
+import type { Form, GripMode } from '../engine/game-protocol';
+import type { BlockPreset, Built, Constant, Frame, SceneEntry, Setup } from '../engine/protocol';
+import type { Reading } from '../xray/readings';
+import type { Store } from './store';
+import type { Options } from './url';
+
+/** State that the hand, the pointers and the stage need, in the game and in the museum. */
+export interface PlayState<F extends Frame = Frame> {
+  paused: boolean;
+  /** Grip of the next grasp. */
+  grip: GripMode;
+  /** True while the hand moves slowly. */
+  careful: boolean;
+  /** Largest force of the hand, N. */
+  maxForce: number;
+  /** Block that was touched last. */
+  selected: number | null;
+  /** Block under a resting mouse. */
+  hovered: number | null;
+  /** True while a pointer is down. */
+  pointing: boolean;
+  dark: boolean;
+  /** The world that is played. */
+  world: Built | null;
+  /** The last frame of that world: its update is the truth of the game. */
+  frame: F | null;
+}
+
+/** View of the inside of the tower; springs are drawn in glass and the X-ray on wood, so there is one at a time. */
+export type Overlay = 'none' | 'springs' | 'xray';
+
+/** Settings that a tower is built with. Stiffness in N/m; null leaves the choice to the device. */
+export interface Settings {
+  /** Name of a listed scene; null for the tower. */
+  scene: string | null;
+  rows: number;
+  seed: number;
+  block: BlockPreset;
+  sleep: boolean;
+  stiffness: number | null;
+  form: Form | null;
+  /** Null for springs as stiff as the contacts. */
+  springs: number | null;
+}
+
+export interface PageState extends PlayState {
+  settings: Settings;
+  scenes: SceneEntry[];
+  overlay: Overlay;
+  /** X-ray of each block; null while the tower moves. */
+  readings: Reading[] | null;
+  /** Current blocks: chosen at the build, and changed by the player later. */
+  form: Constant<Form>;
+  panelOpen: boolean;
+  helpOpen: boolean;
+}
+
+export type PageStore = Store<PageState>;
+
+/** A store whose state includes that of play. */
+export interface PlayStore {
+  readonly state: Readonly<PlayState>;
+  set(change: Partial<PlayState>): void;
+  subscribe(keys: readonly (keyof PlayState)[], listener: (state: Readonly<PlayState>) => void): void;
+}
+
+export function initialPlay(options: Options): PlayState<never> {
+  return {
+    paused: false,
+    grip: 'auto',
+    careful: false,
+    maxForce: options.maxForce,
+    selected: null,
+    hovered: null,
+    pointing: false,
+    dark: false,
+    world: null,
+    frame: null,
+  };
+}
+
+export function initialPage(options: Options): PageState {
+  const { scene, rows, seed, block, sleep, stiffness, form, springs } = options;
+  return {
+    ...initialPlay(options),
+    settings: { scene, rows, seed, block, sleep, stiffness, form, springs },
+    scenes: [],
+    overlay: 'none',
+    readings: null,
+    form: { value: 'rigid', chosen: false },
+    panelOpen: false,
+    helpOpen: false,
+  };
+}
+
+/** Returns the setup of a world with these settings. */
+export function setupOf({ scene, rows, seed, block, ...rest }: Settings): Setup {
+  return { source: scene ? { kind: 'named', name: scene } : { kind: 'tower', rows, seed, block }, ...rest };
+}

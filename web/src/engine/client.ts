@@ -1,0 +1,101 @@
+// The page's end of the worker.
+
+import type { GameCommand } from './game-protocol';
+import type {
+  Answer,
+  Built,
+  Frame,
+  FromWorker,
+  Question,
+  SceneEntry,
+  Setup,
+  ToWorker,
+  Watched,
+  XRay,
+} from './protocol';
+
+export interface Listener<F extends Frame> {
+  scenes(list: SceneEntry[]): void;
+  built(world: Built): void;
+  frame(frame: F): void;
+  xray?(xray: XRay): void;
+  refused(message: string): void;
+  failed(message: string): void;
+}
+
+/** `S` describes a world to build, `F` a frame. */
+export class Client<S = Setup, F extends Frame = Frame> {
+  private readonly open = new Map<number, (value: never) => void>();
+  private questions = 0;
+  private commands = 0;
+  /** Numbers of the last requested world and of the current one. */
+  private requested = 0;
+  private world = 0;
+  /** Longest time for which one message of the worker blocked the page, ms. */
+  longestMessage = 0;
+
+  constructor(
+    private readonly worker: Worker,
+    private readonly listener: Listener<F>,
+  ) {
+    this.worker.onmessage = (event: MessageEvent<FromWorker>) => {
+      const before = performance.now();
+      this.receive(event.data);
+      this.longestMessage = Math.max(this.longestMessage, performance.now() - before);
+    };
+    this.worker.onerror = event => listener.failed(event.message || 'the worker did not start');
+  }
+
+  build(setup: S): void {
+    this.send({ type: 'build', world: ++this.requested, setup });
+  }
+
+  /** Sends a command and returns its number. */
+  command(command: GameCommand): number {
+    this.send({ type: 'command', world: this.world, number: ++this.commands, command });
+    return this.commands;
+  }
+
+  pause(paused: boolean): void {
+    this.send({ type: 'pause', paused });
+  }
+
+  watch(watched: Watched): void {
+    this.send({ type: 'watch', watched });
+  }
+
+  ask<Q extends Question>(question: Q): Promise<Answer<Q>> {
+    const id = ++this.questions;
+    this.send({ type: 'ask', id, question });
+    return new Promise(resolve => this.open.set(id, resolve as (value: never) => void));
+  }
+
+  private send(message: ToWorker<S>): void {
+    this.worker.postMessage(message);
+  }
+
+  private receive(message: FromWorker): void {
+    switch (message.type) {
+      case 'scenes':
+        return this.listener.scenes(message.list);
+      case 'built':
+        this.world = message.world;
+        return this.listener.built(message);
+      case 'frame':
+        if (message.world === this.world) this.listener.frame(message as F);
+        return;
+      case 'xray':
+        if (message.world === this.world) this.listener.xray?.(message);
+        return;
+      case 'refused':
+        return this.listener.refused(message.message);
+      case 'failed':
+        return this.listener.failed(message.message);
+      case 'answer': {
+        const resolve = this.open.get(message.id) as ((value: unknown) => void) | undefined;
+        this.open.delete(message.id);
+        resolve?.(message.value);
+      }
+    }
+  }
+}

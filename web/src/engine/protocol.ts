@@ -1,0 +1,117 @@
+// Messages between the page and its worker. SI units.
+
+import type { Contact, Form, GameCommand, Update } from './game-protocol';
+
+export type BlockPreset = 'dissertation' | 'official';
+
+/** Source of the scene that a world is built from. */
+export type SceneSource =
+  { kind: 'tower'; rows: number; seed: number; block: BlockPreset } | { kind: 'named'; name: string };
+
+/** Scene of a world and the choices that go with it. */
+export interface Setup {
+  source: SceneSource;
+  /** True if resting blocks may sleep. */
+  sleep: boolean;
+  /** Stiffness of the contacts, N/m; null for the stiffest that the device runs in real time. */
+  stiffness: number | null;
+  /** Null for springs inside the blocks where the device runs them in real time. */
+  form: Form | null;
+  /** Stiffness of the springs inside the blocks, N/m; null for that of the contacts. */
+  springs: number | null;
+}
+
+/** A constant of a tower. */
+export interface Constant<T> {
+  value: T;
+  /** True if the device decided the value. */
+  chosen: boolean;
+}
+
+export interface SceneEntry {
+  name: string;
+  title: string;
+}
+
+/** Update of a game and the arrays that go with it. */
+export interface Frame {
+  type: 'frame';
+  /** Number of the world that the frame belongs to. */
+  world: number;
+  update: Update;
+  /** Number of the last command that has been applied. */
+  applied: number;
+  /** Seven numbers per body: position (m), orientation (x, y, z, w). */
+  poses: Float32Array;
+  /** Particles and springs as in view/lattice.ts; null where there are none or nothing of them is visible. */
+  lattices: Float32Array | null;
+  /** True if the selected block could be placed on top. */
+  placeable: boolean;
+  /** Simulated time per wall time over the last second. */
+  factor: number;
+  /** Simulated time per time spent stepping over the last second. */
+  capacity: number;
+}
+
+export interface Built {
+  type: 'built';
+  world: number;
+  /** Edge lengths, three numbers per body, m. */
+  sizes: Float32Array;
+  poses: Float32Array;
+  /** Stiffness of the contacts, N/m. */
+  stiffness: Constant<number>;
+  form: Constant<Form>;
+  /** Stiffness of the springs inside the blocks, N/m; null where they are rigid. */
+  springs: number | null;
+  /** Distance of the particles from the block's centre along each axis, as a fraction of half the edge. */
+  particleOffset: number;
+}
+
+/** Contact forces of a tower at rest; sent when rest begins and when it ends. */
+export interface XRay {
+  type: 'xray';
+  world: number;
+  /** Two numbers per body as in xray/readings.ts; null while the tower moves. */
+  forces: Float32Array | null;
+}
+
+/** Hash of a state, and its simulated time, s. */
+export interface StateHash {
+  hash: string;
+  time: number;
+}
+
+/** Questions about the present state, and about the states of all steps until a simulated time, s. */
+export type Question = { what: 'hash' } | { what: 'hashes'; until: number } | { what: 'contacts'; body: number };
+export type Answer<Q extends Question> = Q extends { what: 'hash' }
+  ? StateHash
+  : Q extends { what: 'hashes' }
+    ? StateHash[]
+    : Contact[];
+
+/** Parts of the page that need more from a frame than its poses. */
+export interface Watched {
+  springs: boolean;
+  xray: boolean;
+  /** Selected block, of which the page asks whether it could be placed. */
+  selected: number | null;
+}
+
+export type ToWorker<S = Setup> =
+  | { type: 'build'; world: number; setup: S }
+  | { type: 'command'; world: number; number: number; command: GameCommand }
+  | { type: 'pause'; paused: boolean }
+  | { type: 'watch'; watched: Watched }
+  | { type: 'ask'; id: number; question: Question };
+
+export type FromWorker =
+  | { type: 'scenes'; list: SceneEntry[] }
+  | Built
+  | Frame
+  | XRay
+  | { type: 'answer'; id: number; value: unknown }
+  /** The scene could not be built; the previous world goes on. */
+  | { type: 'refused'; world: number; message: string }
+  /** The worker cannot go on. */
+  | { type: 'failed'; message: string };

@@ -1,0 +1,50 @@
+// Scenes as the page hands them to the engine.
+
+import { namedScene, towerScene } from '../wasm/teeter_wasm.js';
+import type { Form } from './game-protocol';
+import type { SceneSource } from './protocol';
+
+/** Fields of a scene that the page reads or sets. */
+export interface Scene {
+  blocks: unknown[];
+  stiffness: number;
+  form?: Form;
+  springs?: { stiffness?: number; damping?: number; particles?: 'inside' | 'corners' };
+}
+
+/** Blocks as a scene itself describes them. */
+export interface SceneDefaults {
+  blocks: number;
+  form: Form | null;
+  /** Stiffness of the springs inside the blocks, N/m; null for that of the contacts. */
+  springs: number | null;
+}
+
+/** Blocks and contacts that a scene is built with. Stiffness is that of the contacts, N/m. */
+export interface Choice {
+  form: Form;
+  stiffness: number;
+  springs: number | null;
+}
+
+/**
+ * Returns the scene as JSON with what `choose` returns.
+ * Throws an Error whose message is for the user.
+ */
+export function sceneText(source: SceneSource, choose: (defaults: SceneDefaults) => Choice): string {
+  const text =
+    source.kind === 'named'
+      ? namedScene(source.name)
+      : towerScene(JSON.stringify({ rows: source.rows, seed: source.seed, block: source.block }));
+  const scene = JSON.parse(text) as Scene;
+  const { form, stiffness, springs } = choose({
+    blocks: scene.blocks.length,
+    // A scene that names no form has rigid blocks, but leaves the choice open.
+    form: scene.form === 'lattice' ? scene.form : null,
+    springs: scene.springs?.stiffness ?? null,
+  });
+  scene.stiffness = stiffness;
+  scene.form = form;
+  scene.springs = { ...scene.springs, stiffness: springs ?? undefined };
+  return JSON.stringify(scene);
+}

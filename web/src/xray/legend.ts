@@ -1,0 +1,54 @@
+// The switch and the legend of the X-ray.
+
+import { element, onClick } from '../ui/dom';
+import { colourOf, forceText, GRADIENT, isLoose, levelOf, LOOSE, TICKS, type Reading } from './readings';
+
+export interface XRayState {
+  on: boolean;
+  /** Reading of each block; null while the tower moves. */
+  readings: Reading[] | null;
+  paused: boolean;
+  /** Block to describe. */
+  body: number | null;
+  /** Number of figures for which there is no room on the screen. */
+  cramped: number;
+}
+
+export class XRayLegend {
+  private readonly button = element<HTMLButtonElement>('xray-toggle');
+  private shown = '';
+
+  constructor(toggle: () => void) {
+    onClick('xray-toggle', toggle);
+    element('xray-bar').style.background = GRADIENT;
+    element('xray-swatch').style.background = `rgb(${colourOf(LOOSE).map(c => Math.round(255 * c))})`;
+    const ticks = TICKS.map(force => {
+      const span = document.createElement('span');
+      span.textContent = String(force);
+      span.style.left = `${100 * levelOf(force)}%`;
+      return span;
+    });
+    element('xray-ticks').replaceChildren(...ticks);
+  }
+
+  show({ on, readings, paused, body, cramped }: XRayState): void {
+    const loose = readings?.filter(isLoose).length ?? 0;
+    const count = readings ? `${loose} of ${readings.length} loose` : paused ? 'paused in motion' : 'settling…';
+    const tilted = readings?.some(({ pull }) => pull === null) ? 'Grey: not lying level.' : '';
+    const hint = readings && cramped > 0 ? 'Come closer for more figures.' : tilted;
+    const details = readings && body !== null ? describe(body, readings[body]) : hint;
+    const shown = JSON.stringify([on, count, details]);
+    if (shown === this.shown) return;
+    this.shown = shown;
+    this.button.setAttribute('aria-pressed', String(on));
+    element('xray').hidden = !on;
+    element('xray-count').textContent = count;
+    element('xray').classList.toggle('settling', readings === null);
+    element('xray-block').textContent = details;
+  }
+}
+
+function describe(body: number, { load, pull }: Reading): string {
+  const start = pull === null ? 'lies on nothing or at an angle' : `pull ${forceText(pull)} N`;
+  return `Block ${body}: ${start}, carries ${load < 0.005 ? 'nothing' : `${forceText(load)} N`}`;
+}
