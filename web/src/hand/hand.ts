@@ -8,6 +8,7 @@ import type { Bodies } from '../view/bodies';
 import type { Orbit } from '../view/orbit';
 import type { Hit } from '../view/picking';
 import { carrying } from './gestures/carrying';
+import { move } from './gestures/gesture';
 import type { GestureContext, GestureFactory, GestureName, GestureState, Grasp, Transition } from './gestures/gesture';
 import { idle } from './gestures/idle';
 import { placing } from './gestures/placing';
@@ -58,11 +59,15 @@ export class Hand {
       },
       send: command => sink.command(command),
     };
-    // A hand is made with each world.
+    // Each world begins with a hand of its own, which takes the settings again.
     store.subscribe(['world', 'maxForce', 'careful'], ({ world, maxForce: max_force, careful }) => {
       if (world) sink.command({ command: 'set_hand', max_force, careful });
     });
     store.subscribe(['world'], () => this.reset());
+    // The camera may have turned during a pause.
+    store.subscribe(['paused'], ({ paused }) => {
+      if (!paused && this.carries) move(this.context, new Vector3(), this.held?.slot ?? null);
+    });
   }
 
   get gesture(): GestureName {
@@ -141,7 +146,7 @@ export class Hand {
     if (this.grasp) this.rotate(new Quaternion().setFromAxisAngle(this.longAxis(this.grasp.body), Math.PI / 2));
   }
 
-  /** Releases the block, whatever the gesture. */
+  /** Releases the block in any gesture. */
   letGo(): void {
     if (this.grasp) this.sink.command({ command: 'release' });
     this.reset();

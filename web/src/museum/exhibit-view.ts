@@ -217,7 +217,7 @@ export class ExhibitView {
     this.last = message;
     this.max = Math.max(this.max, counts.most);
     const values = this.exhibit.counters.map(([, value]) => value(counts));
-    if (this.exhibit.iterations) values.unshift(`${counts.most}, most ${this.max}`);
+    if (this.exhibit.iterations) values.unshift(`${counts.most}, max ${this.max}`);
     values.forEach((value, i) => setText(this.counters[i], value));
     const wanted = Number(this.speed.value);
     const behind = wanted > 0 && factor < 0.8 * wanted && counts.time > 0.05;

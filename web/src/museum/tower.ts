@@ -184,7 +184,7 @@ export class Tower {
     const { setup, frame } = this.store.state;
     const force = frame?.update.hand?.force;
     const writes = setup.show === 'old' && force?.every(f => f === 0);
-    return state && writes ? { ...state, note: 'its velocity is written' } : state;
+    return state && writes ? { ...state, note: 'velocity set directly' } : state;
   }
 
   private moveGhost(t: number): boolean {

@@ -60,5 +60,5 @@ function showPaused(paused: boolean): void {
   const button = element('pause');
   button.setAttribute('aria-pressed', String(paused));
   button.querySelector('use')!.setAttribute('href', paused ? '#i-play' : '#i-pause');
-  button.querySelector('span')!.textContent = paused ? 'Go on' : 'Pause';
+  button.querySelector('span')!.textContent = paused ? 'Resume' : 'Pause';
 }

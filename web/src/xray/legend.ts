@@ -35,7 +35,7 @@ export class XRayLegend {
     const loose = readings?.filter(isLoose).length ?? 0;
     const count = readings ? `${loose} of ${readings.length} loose` : paused ? 'paused in motion' : 'settling…';
     const tilted = readings?.some(({ pull }) => pull === null) ? 'Grey: not lying level.' : '';
-    const hint = readings && cramped > 0 ? 'Come closer for more figures.' : tilted;
+    const hint = readings && cramped > 0 ? 'Zoom in for more figures.' : tilted;
     const details = readings && body !== null ? describe(body, readings[body]) : hint;
     const shown = JSON.stringify([on, count, details]);
     if (shown === this.shown) return;

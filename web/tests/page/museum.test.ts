@@ -242,7 +242,7 @@ test('a falling stack reaches the limit of the constraints (Figure 3.3) and need
     await page.selectOption(part(method, 'speed'), '1');
     await page.waitForFunction(m => window.museum.plane(m).counts!.time > 0.15, method);
     const told = await page.textContent(`${part(method, 'counters')} div:nth-child(2) dd`);
-    return { most: Number(told!.split('most ')[1]), cut: (await plane(page, method)).counts!.cut };
+    return { most: Number(told!.split('max ')[1]), cut: (await plane(page, method)).counts!.cut };
   };
   const constraint = await numbers('constraint');
   expect(constraint.most).toBe(1000);
