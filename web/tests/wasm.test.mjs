@@ -3,7 +3,7 @@
 import assert from 'node:assert/strict';
 import { readFile } from 'node:fs/promises';
 import { before, test } from 'node:test';
-import init, { Simulation, namedScene, sceneList, towerScene } from '../src/wasm/teeter_wasm.js';
+import init, { Game, Simulation, namedScene, sceneList, towerScene } from '../src/wasm/teeter_wasm.js';
 
 let memory;
 before(async () => {
@@ -248,4 +248,101 @@ test('particles lie in their block, and its springs carry what is above it', () 
     const weight = 9.81 * (sum(masses.slice(3 * row + 3)) + sum(masses.slice(3 * row, 3 * row + 3)) / 2);
     assert.ok(Math.abs(load(row) / (lever * weight) - 1) < 0.01, `row ${row}: ${load(row)} N for ${weight} N`);
   }
+});
+
+const step = (game, command) => JSON.parse(game.step(command ? JSON.stringify(command) : ''));
+const settledGame = options => {
+  const game = new Game(towerScene(JSON.stringify(options)), '');
+  for (let i = 0; i < 60; i++) game.step('');
+  return game;
+};
+/** Grasps the middle block of the top row and lifts it by 60 mm. */
+const lift = game => {
+  const body = game.length - 2;
+  step(game, { command: 'grasp', body, anchor: [0, 0, 0.009], normal: [0, 0, 1], grip: 'auto' });
+  let update;
+  for (let i = 0; i < 30; i++) update = step(game, { command: 'move', displacement: [0, 0, 0.002] });
+  return { body, update };
+};
+
+test('a game without commands steps as a simulation does', () => {
+  const scene = towerScene('{"rows": 6, "seed": 2}');
+  const [game, simulation] = [new Game(scene, ''), new Simulation(scene, '')];
+  for (let i = 0; i < 60; i++) {
+    const update = step(game);
+    assert.deepEqual(update.report, JSON.parse(simulation.step('')));
+    assert.deepEqual([update.hand, update.slots, update.fallen, update.events], [null, [], [], []]);
+  }
+  assert.equal(game.hash(), simulation.hash());
+  assert.deepEqual(poses(game), poses(simulation));
+  assert.deepEqual(
+    [game.length, game.stiffness, game.form, game.springStiffness, game.time()],
+    [simulation.length, simulation.stiffness, 'rigid', undefined, simulation.time()],
+  );
+  assert.deepEqual([...game.sizes()], [...simulation.sizes()]);
+  assert.deepEqual([...game.xray()], [...simulation.xray()]);
+  assert.equal(game.contacts(4), simulation.contacts(4));
+  assert.equal(game.asleep(4), simulation.asleep(4));
+});
+
+test('a game comes to rest, and a block is lifted out and placed on top again', () => {
+  const game = settledGame({ rows: 6, seed: 2 });
+  let update;
+  for (let i = 0; i < 60; i++) update = step(game);
+  assert.deepEqual([update.tower, update.at_rest], ['standing', true]);
+  assert.equal(game.isFree(4), false);
+  const { body, update: lifted } = lift(game);
+  assert.equal(game.isFree(body), true);
+  assert.equal(lifted.at_rest, false);
+  assert.deepEqual([lifted.hand.body, lifted.hand.grip, lifted.hand.mode], [body, 'carry', 'auto']);
+  assert.deepEqual(
+    lifted.slots.map(({ row, cell }) => [row, cell]),
+    [[5, 1]],
+  );
+  assert.deepEqual(JSON.parse(game.slots(body)), lifted.slots);
+  assert.equal(game.canPlace(body), true);
+  update = step(game, { command: 'place', body: null, slot: null });
+  assert.equal(update.hand.placing, true);
+  const events = [];
+  for (let i = 0; i < 240 && events.length === 0; i++) events.push(...step(game).events);
+  assert.deepEqual(events, [{ event: 'placed', body, slot: { row: 5, cell: 1 } }]);
+  for (let i = 0; i < 60; i++) update = step(game);
+  assert.deepEqual([update.hand, update.tower, update.fallen], [null, 'standing', []]);
+});
+
+test('a command that means nothing is refused with a reason, and text that is none is an error', () => {
+  const game = settledGame({ rows: 3 });
+  const time = game.time();
+  const { events } = step(game, { command: 'release' });
+  assert.deepEqual(events, [{ event: 'refused', reason: 'no block is held' }]);
+  assert.ok(game.time() > time, 'the frame is stepped all the same');
+  for (const text of ['{', 'release', '{"command": "fly"}', '{"command": "move"}', '{"command": "place", "x": 1}'])
+    assert.match(
+      message(() => game.step(text)),
+      /^command: /,
+    );
+  assert.match(
+    message(() => game.slots(99)),
+    /99/,
+  );
+  message(() => game.restore(new Uint8Array([1, 2, 3])));
+  message(() => new Game('{', ''));
+});
+
+test('a game restored in the middle of a placement goes on with the same bits', () => {
+  const game = settledGame({ rows: 6, seed: 2 });
+  step(game, { command: 'set_blocks', form: 'lattice', spring_stiffness: 1e5 });
+  lift(game);
+  step(game, { command: 'place' });
+  for (let i = 0; i < 20; i++) step(game);
+  const bytes = game.snapshot();
+  const play = () => {
+    const updates = [];
+    for (let i = 0; i < 120; i++) updates.push(game.step(''));
+    return updates.concat(game.hash());
+  };
+  const first = play();
+  game.restore(bytes);
+  assert.deepEqual(play(), first);
+  assert.ok(lattices(game).length > 0);
 });

@@ -42,7 +42,7 @@ pub use plan::long_axis;
 pub use prediction::{Prediction, predict};
 pub use reference_positions::ReferencePositions;
 pub use removal::{Removal, removable_blocks, remove, without_block};
-pub use rest::{PILE_SPEED, REST_SPEED, REST_TIME, RestTimer};
+pub use rest::{PILE_SPEED, REST_SPEED, REST_TIME, RestTimer, SETTLED_SPEED, VISIBLE_SPEED};
 pub use settle::{SETTLE_TIME, settled};
 pub use solid::{Solid, max_penetration, max_penetration_between};
 pub use xray::{Load, xray};

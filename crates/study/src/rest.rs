@@ -12,6 +12,14 @@ pub const REST_TIME: f64 = 0.25;
 /// edges and corners and roll slowly for seconds; a pile that contacts drive apart is faster.
 pub const PILE_SPEED: f64 = 5e-3;
 
+/// Speed of the fastest block below which a tower in play has settled where the forces in its
+/// contacts stay constant besides, m/s. Soft blocks sway for seconds above [`REST_SPEED`], with
+/// forces that no longer change.
+pub const SETTLED_SPEED: f64 = 1e-3;
+
+/// Speed above which a block moves visibly, m/s.
+pub const VISIBLE_SPEED: f64 = 4e-3;
+
 /// Timer of rest.
 ///
 /// ```

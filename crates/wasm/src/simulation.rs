@@ -3,10 +3,9 @@
 use serde::Deserialize;
 use teeter_physics::{BodyId, Input, Params, World};
 use teeter_scene::{Form, Scene, Springs};
-use teeter_study::{Load, xray};
 use wasm_bindgen::prelude::*;
 
-use crate::Error;
+use crate::{Error, views};
 
 /// A world that a worker owns and steps.
 #[wasm_bindgen]
@@ -69,7 +68,7 @@ impl Simulation {
 
     /// Edge lengths of all bodies, three numbers each, m.
     pub fn sizes(&self) -> Vec<f64> {
-        self.world.bodies().flat_map(|body| self.world.size(body).to_array()).collect()
+        views::sizes(&self.world)
     }
 
     /// The loaded contacts of a body as JSON: `[{"other", "point", "normal", "force"}]`.
@@ -131,11 +130,7 @@ impl Simulation {
     /// call may move them, so make the view anew.
     #[wasm_bindgen(js_name = latticesPtr)]
     pub fn lattices_ptr(&mut self) -> *const f32 {
-        self.lattices.clear();
-        for report in self.world.bodies().filter_map(|body| self.world.lattice(body)) {
-            self.lattices.extend(report.particles.iter().flat_map(|at| at.as_vec3().to_array()));
-            self.lattices.extend(report.forces.iter().map(|&force| force as f32));
-        }
+        views::write_lattices(&self.world, &mut self.lattices);
         self.lattices.as_ptr()
     }
 
@@ -143,8 +138,7 @@ impl Simulation {
     /// upper face and the force that starts it sliding straight, N. Of a body that nothing bears the second is NaN. It tells of rest: while bodies move
     /// their contacts carry blows besides.
     pub fn xray(&self) -> Vec<f64> {
-        let pull = |load: &Load| if load.below_n > 0.0 { load.tightness_n } else { f64::NAN };
-        xray(&self.world, self.friction).iter().flat_map(|load| [load.above_n, pull(load)]).collect()
+        views::loads(&self.world, self.friction)
     }
 
     /// Simulated time, s.
@@ -168,6 +162,8 @@ struct Blocks {
 
 #[cfg(test)]
 mod tests {
+    use teeter_study::xray;
+
     use super::*;
 
     const ONE: &str = r#"{"name": "one", "friction": 0.4, "blocks": [{"id": 0, "size": [0.081, 0.0268, 0.018], "mass": 0.0196, "pos": [0, 0, 0.009]}]}"#;

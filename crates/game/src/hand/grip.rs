@@ -1,0 +1,42 @@
+//! Grips of the hand.
+
+use glam::DVec3;
+use serde::{Deserialize, Serialize};
+use teeter_physics::Grip;
+
+/// Grip that the player asks for.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "lowercase")]
+pub enum GripMode {
+    /// Slide in the tower, carry beside it, changed as the block comes out or goes back in.
+    Auto,
+    /// Always slide.
+    Slide,
+    /// Always carry.
+    Carry,
+    /// Fingertip that pushes along the inward normal.
+    Push,
+}
+
+/// Present grip.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "lowercase")]
+pub enum HoldGrip {
+    /// Fingers on a block in the tower.
+    Slide,
+    /// A block in the air.
+    Carry,
+    /// Fingertip.
+    Push,
+}
+
+impl HoldGrip {
+    /// The grip of the physics; `axis` is the direction of a push, unit vector in the world.
+    pub(crate) fn to_physics(self, axis: DVec3) -> Grip {
+        match self {
+            HoldGrip::Slide => Grip::Slide,
+            HoldGrip::Carry => Grip::Carry,
+            HoldGrip::Push => Grip::Push { axis },
+        }
+    }
+}

@@ -1,0 +1,86 @@
+//! State of a game as bytes: that of the world, of the hand, and of the detectors.
+
+use serde::{Deserialize, Serialize};
+use teeter_physics::World;
+
+use crate::blocks::Blocks;
+use crate::fall::FallDetector;
+use crate::game::Game;
+use crate::hand::controller::HandController;
+use crate::rest::RestDetector;
+use crate::simulator::Simulator;
+use crate::stiffness_ramp::{BlockForm, StiffnessRamp};
+
+/// First bytes of a snapshot: its kind, and the version of its layout.
+const MAGIC: &[u8] = b"teeter-game\x00\x01";
+
+/// Reason why bytes are no snapshot of a game.
+#[derive(Debug, Clone, PartialEq, thiserror::Error)]
+pub enum RestoreError {
+    /// The bytes do not begin like a snapshot of a game.
+    #[error("not a snapshot of this game: it does not begin like one")]
+    Magic,
+    /// The bytes cannot be read, or hold a state that no game can have.
+    #[error("not a snapshot of this game: it is damaged")]
+    Damaged,
+    /// The world of the snapshot is not that of the game.
+    #[error("{0}")]
+    World(String),
+}
+
+/// All that changes: with the scene, the constants and the commands it determines all of the
+/// future.
+#[derive(Serialize, Deserialize)]
+struct State {
+    controller: HandController,
+    ramp: StiffnessRamp,
+    fall: FallDetector,
+    rest: RestDetector,
+    form: BlockForm,
+    world: Vec<u8>,
+}
+
+impl Game<World> {
+    /// State of the game as bytes. They hold neither the scene nor the constants of the run.
+    ///
+    /// # Panics
+    /// Never: the state is plain numbers, which can always be written.
+    pub fn snapshot(&self) -> Vec<u8> {
+        let state = State {
+            controller: self.controller.clone(),
+            ramp: self.ramp.clone(),
+            fall: self.fall.clone(),
+            rest: self.rest.clone(),
+            form: self.simulator.block_form(),
+            world: self.simulator.snapshot(),
+        };
+        let mut bytes = MAGIC.to_vec();
+        bytes.extend(postcard::to_stdvec(&state).expect("plain numbers can always be written"));
+        bytes
+    }
+
+    /// Takes over a state of a game of the same scene and constants; it goes on bit for bit as that
+    /// one did.
+    ///
+    /// # Errors
+    /// When the bytes are no snapshot, or one of another world; the game is unchanged then.
+    pub fn restore(&mut self, bytes: &[u8]) -> Result<(), RestoreError> {
+        let body = bytes.strip_prefix(MAGIC).ok_or(RestoreError::Magic)?;
+        let state: State = postcard::from_bytes(body).map_err(|_| RestoreError::Damaged)?;
+        let count = self.simulator.len();
+        if !state.controller.is_of(count) || !state.fall.is_of(count) {
+            return Err(RestoreError::Damaged);
+        }
+        let mut world = self.simulator.clone();
+        world.set_block_form(state.form).map_err(RestoreError::World)?;
+        world.restore(&state.world).map_err(|error| RestoreError::World(error.to_string()))?;
+        let State { controller, ramp, fall, rest, .. } = state;
+        *self = Self { blocks: Blocks::of(&world), simulator: world, controller, ramp, fall, rest };
+        Ok(())
+    }
+
+    /// Hash of the world's state: equal states have equal hashes on every target.
+    pub fn hash(&self) -> u64 {
+        self.simulator.hash()
+    }
+}

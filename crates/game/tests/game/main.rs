@@ -1,0 +1,7 @@
+//! Games as a player and a recorder see them.
+
+mod common;
+mod determinism;
+mod hostile;
+mod play;
+mod standing;

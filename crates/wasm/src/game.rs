@@ -1,0 +1,205 @@
+//! Binding of a game: commands and updates as JSON, poses as a view on wasm memory.
+
+use serde::Serialize;
+use teeter_game::Command;
+use teeter_physics::{BodyId, Params, World};
+use teeter_scene::{Form, Scene};
+use wasm_bindgen::prelude::*;
+
+use crate::{Error, views};
+
+/// A game that a worker owns and steps.
+#[wasm_bindgen]
+#[derive(Debug)]
+pub struct Game {
+    game: teeter_game::Game,
+    lattices: Vec<f32>,
+}
+
+#[wasm_bindgen]
+impl Game {
+    /// Builds a game from a scene (JSON) and the constants of the run (JSON of [`Params`]; empty
+    /// text for the defaults).
+    #[wasm_bindgen(constructor)]
+    pub fn new(scene: &str, params: &str) -> Result<Game, Error> {
+        let scene = Scene::from_json(scene).map_err(Error::rejected)?;
+        let params: Params = read("parameters", params)?;
+        let world = World::new(&scene, params).map_err(Error::rejected)?;
+        Ok(Self { game: teeter_game::Game::new(world), lattices: Vec::new() })
+    }
+
+    /// Carries out a command (JSON of [`Command`]; empty text for `idle`), advances by a frame and
+    /// returns the update as JSON. Text that is no command is an error, and the game stays as it
+    /// was.
+    pub fn step(&mut self, command: &str) -> Result<String, Error> {
+        let command: Command = read("command", command)?;
+        write("update", &self.game.step(&command))
+    }
+
+    /// Address of the poses in wasm memory: seven doubles a body, position (m) and orientation (x,
+    /// y, z, w). Any later call may move them, so each view is made again.
+    #[wasm_bindgen(js_name = posesPtr)]
+    pub fn poses_ptr(&self) -> *const f64 {
+        self.game.world().poses().as_ptr()
+    }
+
+    /// Number of bodies.
+    #[wasm_bindgen(getter)]
+    pub fn length(&self) -> usize {
+        self.game.world().len()
+    }
+
+    /// Edge lengths of all bodies, three numbers each, m.
+    pub fn sizes(&self) -> Vec<f64> {
+        views::sizes(self.game.world())
+    }
+
+    /// Address in wasm memory of the particles and springs of all bodies, written by this call: 52
+    /// floats a body, the positions of its 8 particles (m, in the world) and the forces of its 28
+    /// springs (N, tension is positive; between particles 0 and 1, 0 and 2, ... 6 and 7). Bit k of
+    /// a particle's number says on which side of axis k of the block it is. Nothing where the
+    /// blocks are rigid. Any later call may move them.
+    #[wasm_bindgen(js_name = latticesPtr)]
+    pub fn lattices_ptr(&mut self) -> *const f32 {
+        views::write_lattices(self.game.world(), &mut self.lattices);
+        self.lattices.as_ptr()
+    }
+
+    /// Free slots for a body as JSON: `[{"row", "cell", "position", "orientation", "clearance"}]`.
+    pub fn slots(&self, body: u32) -> Result<String, Error> {
+        let body = self.check(body)?;
+        write("slots", &self.game.slots(body))
+    }
+
+    /// Loaded contacts of a body as JSON: `[{"other", "point", "normal", "force"}]`.
+    pub fn contacts(&self, body: u32) -> Result<String, Error> {
+        let body = self.check(body)?;
+        write("contacts", &self.game.world().contacts(body))
+    }
+
+    /// Returns true if a body can be lifted: nothing is above it.
+    #[wasm_bindgen(js_name = isFree)]
+    pub fn is_free(&self, body: u32) -> Result<bool, Error> {
+        let body = self.check(body)?;
+        Ok(self.game.is_free(body))
+    }
+
+    /// Returns true if the command to place a body, in the nearest slot, would be carried out.
+    #[wasm_bindgen(js_name = canPlace)]
+    pub fn can_place(&self, body: u32) -> Result<bool, Error> {
+        let body = self.check(body)?;
+        Ok(self.game.can_place(body))
+    }
+
+    /// Returns true if a body sleeps.
+    pub fn asleep(&self, body: u32) -> Result<bool, Error> {
+        let body = self.check(body)?;
+        Ok(self.game.world().is_asleep(body))
+    }
+
+    /// Load and tightness of each body from the contacts of the moment, two numbers a body: the
+    /// normal force on its upper face and the force that starts it sliding straight, N. Not a
+    /// number in place of the second where nothing bears the body. Of meaning at rest only.
+    pub fn xray(&self) -> Vec<f64> {
+        let world = self.game.world();
+        views::loads(world, world.scene().friction)
+    }
+
+    /// Hash of the world's state, 16 hexadecimal digits: that of a world stepped with the same
+    /// hands.
+    pub fn hash(&self) -> String {
+        format!("{:016x}", self.game.hash())
+    }
+
+    /// State of the game as bytes.
+    pub fn snapshot(&self) -> Vec<u8> {
+        self.game.snapshot()
+    }
+
+    /// Takes over a state of a game of the same scene and constants. Bytes that are none leave the
+    /// game as it was.
+    pub fn restore(&mut self, bytes: &[u8]) -> Result<(), Error> {
+        self.game.restore(bytes).map_err(Error::rejected)
+    }
+
+    /// Simulated time, s.
+    pub fn time(&self) -> f64 {
+        self.game.world().time()
+    }
+
+    /// Stiffness of the contacts, N/m.
+    #[wasm_bindgen(getter)]
+    pub fn stiffness(&self) -> f64 {
+        self.game.world().stiffness()
+    }
+
+    /// Form of the blocks: `rigid` or `lattice`.
+    #[wasm_bindgen(getter)]
+    pub fn form(&self) -> String {
+        self.game.world().form().to_string()
+    }
+
+    /// Stiffness of the springs within the blocks, N/m; undefined where they are rigid.
+    #[wasm_bindgen(getter, js_name = springStiffness)]
+    pub fn spring_stiffness(&self) -> Option<f64> {
+        self.game.world().spring_stiffness().filter(|_| self.game.world().form() == Form::Lattice)
+    }
+}
+
+impl Game {
+    fn check(&self, body: u32) -> Result<BodyId, Error> {
+        let count = self.length();
+        let unknown = || Error::rejected(format!("there is no body {body}: the world has {count}"));
+        self.game.world().body(body).ok_or_else(unknown)
+    }
+}
+
+/// Reads JSON; empty text is the default.
+fn read<T: serde::de::DeserializeOwned + Default>(subject: &'static str, text: &str) -> Result<T, Error> {
+    if text.trim().is_empty() {
+        return Ok(T::default());
+    }
+    serde_json::from_str(text).map_err(|e| Error::json(subject, e))
+}
+
+fn write(subject: &'static str, value: &impl Serialize) -> Result<String, Error> {
+    serde_json::to_string(value).map_err(|e| Error::json(subject, e))
+}
+
+#[cfg(test)]
+mod tests {
+    use serde_json::Value;
+
+    use super::*;
+
+    fn game() -> Game {
+        Game::new(&crate::tower_scene(r#"{"rows": 3}"#).unwrap(), "").unwrap()
+    }
+
+    #[test]
+    fn commands_and_updates_are_text() {
+        let mut game = game();
+        let update: Value = serde_json::from_str(&game.step("").unwrap()).unwrap();
+        assert_eq!((&update["tower"], &update["form"]), (&"standing".into(), &"rigid".into()));
+        assert!(update["spring_stiffness"].is_null() && update["report"]["max_speed"].is_number());
+        let top = r#"{"command": "grasp", "body": 7, "anchor": [0, 0, 0.009], "normal": [0, 0, 1], "grip": "auto"}"#;
+        let update: Value = serde_json::from_str(&game.step(top).unwrap()).unwrap();
+        assert_eq!((&update["hand"]["body"], &update["hand"]["grip"]), (&7.into(), &"carry".into()));
+        assert_eq!(update["slots"].as_array().unwrap().len(), 1);
+    }
+
+    #[test]
+    fn text_that_is_no_command_is_an_error_of_one_line_and_changes_nothing() {
+        let mut game = game();
+        for text in
+            ["{", "[]", "grasp", r#"{"command": "jump"}"#, r#"{"command": "move"}"#, r#"{"command": "place", "x": 1}"#]
+        {
+            let line = game.step(text).unwrap_err().to_string();
+            assert!(line.starts_with("command: ") && !line.contains('\n'), "{line}");
+        }
+        assert_eq!(game.time(), 0.0);
+        for error in [game.slots(9).map(drop), game.contacts(9).map(drop), game.is_free(9).map(drop)] {
+            assert_eq!(error.unwrap_err().to_string(), "there is no body 9: the world has 9");
+        }
+    }
+}
