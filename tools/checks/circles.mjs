@@ -1,4 +1,5 @@
-// Finds files of a crate that import each other, directly or in a longer circle, and prints each circle as a chain.
+// Finds files of a crate that import each other, directly or in a longer circle, and prints each
+// circle as a chain.
 import { listFiles, read, room } from './files.mjs';
 import { importGraph, parseCrate } from './rust-modules.mjs';
 
@@ -18,7 +19,9 @@ function circleThrough(graph, start) {
   return null;
 }
 
-/** Returns the circles of a graph: for each file in one, the shortest through it; each circle once. */
+/**
+ * Returns the circles of a graph: for each file in one, the shortest through it; each circle once.
+ */
 export function findCircles(graph) {
   const found = new Map();
   for (const file of [...graph.keys()].sort()) {

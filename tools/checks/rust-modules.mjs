@@ -1,7 +1,7 @@
 // Light parser of Rust modules: which file declares what, and which files a file imports from.
 //
-// It follows `mod`, `use` and paths, through re-exports to the file that defines an item. Methods are not followed:
-// a call on a value imports nothing. Code under `#[cfg(test)]` is left out.
+// It follows `mod`, `use` and paths, through re-exports to the file that defines an item. Methods
+// are not followed: a call on a value imports nothing. Code under `#[cfg(test)]` is left out.
 import { dirname, join } from 'node:path';
 import { codeOnly } from './lex.mjs';
 
@@ -110,7 +110,10 @@ function parseModule(module, source, readFile) {
   module.code = module.code.replace(/\bmod\s+\w+\s*;/g, ' ');
 }
 
-/** Returns the tree of modules of the crate whose root is at `path`; `readFile` returns null for what is missing. */
+/**
+ * Returns the tree of modules of the crate whose root is at `path`; `readFile` returns null for
+ * what is missing.
+ */
 export function parseCrate(path, readFile) {
   const root = { name: 'crate', parent: null, file: path, folder: dirname(path), children: new Map() };
   parseModule(root, withoutTests(codeOnly(readFile(path), 'rust')), readFile);
@@ -132,7 +135,10 @@ function start(module, path) {
   return [at, rest];
 }
 
-/** Resolves segments from a module: `{ module }` or `{ file }` of the item, or null where it leaves the crate. */
+/**
+ * Resolves segments from a module: `{ module }` or `{ file }` of the item, or null where it leaves
+ * the crate.
+ */
 function walk(module, path, seen = new Set()) {
   if (path.length === 0) return { module };
   const [name, ...rest] = path;

@@ -1,7 +1,8 @@
 // Words that this project does not use, and the field's word for each.
 //
-// `prose` is tried on comments, texts and documents. `name` is tried on the parts of an identifier: `furthestBut` and
-// `FURTHEST_BUT` are both [furthest, but]. `langs` limits a rule to some languages.
+// `prose` is tried on comments, texts and documents. `name` is tried on the parts of an identifier:
+// `furthestBut` and `FURTHEST_BUT` are both [furthest, but]. `langs` limits a rule to some
+// languages.
 
 const has =
   (...words) =>
@@ -154,5 +155,8 @@ export const RULES = [
   { word: 'Fault', use: 'Error', name: types('Fault', 'fault', 'faults'), langs: ['rust', 'ts'] },
 ];
 
-/** Words that a doc comment does not open with: it opens with a noun phrase or a verb in the third person. */
+/**
+ * Words that a doc comment does not open with: it opens with a noun phrase or a verb in the third
+ * person.
+ */
 export const OPENING = /^(What|Whether|How|Where|Those|The same|One|Who|When)\b/;
