@@ -1,7 +1,7 @@
-# `make play` and `make test` set up what is missing. What is longer than a line or two is in tools/.
+# `make play` and `make test` set up what is missing. Anything longer than a line is in tools/.
 .PHONY: help play page test golden check format bench counts figures peers clean setup
 
-help: ## Say what there is
+help: ## List the targets
 	@sed -n 's/^\([a-z]*\):.*## /\1\t/p' $(MAKEFILE_LIST) | column -t -s '	'
 
 play: page ## Build what is missing, serve the page and open it
@@ -10,29 +10,34 @@ play: page ## Build what is missing, serve the page and open it
 page: ## Build the page into web/dist
 	tools/setup rust node wasm packages
 	tools/build-wasm
-	cd web && npm run build
+	tools/build-page
 
-test: page ## Run every test: Rust, WebAssembly under node, the page in headless Chromium
+test: page ## Run every test: Rust, examples, WebAssembly under node, the page in headless Chromium
 	tools/setup browser
+	node --test tools/checks/tests/
 	cargo test --workspace --locked --features teeter-cli/page
+	tools/examples
 	cargo test --locked -p teeter-cli --test play
 	tools/build-wasm scalar
-	cd web && npm test
+	cd web && npm run test:wasm && npm run test:unit && npm run test:page
 
-golden: ## Play the golden runs in every build and way to run, and print the matrix
+golden: ## Run the golden runs in every build and mode, and print the matrix
 	tools/setup rust node wasm
 	tools/golden check
 
-check: ## Formatting and lints
-	tools/setup rust
+check: page ## Formatting, lints, words, documents and packages
+	tools/words
+	tools/circles
+	tools/docs
 	cargo fmt --all --check
-	$(MAKE) page
 	cargo clippy --workspace --all-targets --locked --features teeter-cli/page -- -D warnings
-	cd web && npm run check
+	RUSTDOCFLAGS="-D warnings" cargo doc --workspace --no-deps --locked
+	tools/package
+	cd web && npm run check && npx prettier --config .prettierrc.json --check ../tools/checks
 
 format: ## Format everything
 	cargo fmt --all
-	cd web && npm run format
+	cd web && npm run format && npx prettier --config .prettierrc.json --write ../tools/checks
 
 bench: page ## Measure everything: frames, figures, the page in headless Chromium, and instructions
 	tools/setup browser
@@ -44,7 +49,7 @@ bench: page ## Measure everything: frames, figures, the page in headless Chromiu
 counts: ## Count the instructions of the engine; fails where one costs more than was accepted
 	tools/counts check
 
-figures: ## Measure what a tower costs natively and in WebAssembly, and write docs/performance.md
+figures: ## Measure the cost of a tower natively and in WebAssembly, and write docs/performance.md
 	tools/figures
 
 peers: ## Measure the engine beside Rapier and Box3D, and write docs/performance.md

@@ -105,7 +105,7 @@ export function pathTest(files) {
  */
 export function named(source, topFolders, everything) {
   const out = [];
-  const looksLikePath = word =>
+  const isPath = word =>
     /^[\w.*{},/-]+$/.test(word) &&
     !/^[/.]*$/.test(word) &&
     (everything
@@ -118,7 +118,7 @@ export function named(source, topFolders, everything) {
       for (const word of spans.flatMap(span => span.split(/[\s()]+/))) {
         const bare = word.replace(/[,:;.]+$/, '');
         if (/^teeter(-[a-z0-9]+)+$/.test(bare)) out.push({ line: line + i, crate: bare });
-        else if (looksLikePath(bare)) for (const path of braces(bare)) out.push({ line: line + i, path });
+        else if (isPath(bare)) for (const path of braces(bare)) out.push({ line: line + i, path });
       }
     });
   }
@@ -158,7 +158,7 @@ export function links(source, path) {
   return out;
 }
 
-function linkFaults(path, source, files) {
+function findLinks(path, source, files) {
   const out = [];
   for (const { line, target, anchor } of links(source, path)) {
     const bare = target.replace(/\/$/, '');
@@ -174,7 +174,7 @@ function linkFaults(path, source, files) {
   return out;
 }
 
-function indexFaults(files, documents) {
+function findIndex(files, documents) {
   if (!files.includes(INDEX)) return [{ path: INDEX, line: 1, text: 'the index of the documents is missing' }];
   const targets = path => links(read(path), path).map(({ target }) => target);
   const indexed = targets(INDEX);
@@ -193,12 +193,12 @@ function main(args) {
   const topFolders = [...new Set(files.filter(file => file.includes('/')).map(file => file.split('/')[0]))];
   const manifests = files.filter(file => file.endsWith('Cargo.toml')).map(read);
   const crates = new Set(manifests.map(text => /^name = "([^"]+)"/m.exec(text)?.[1]));
-  const faults = indexFaults(files, documents);
+  const findings = findIndex(files, documents);
   for (const path of documents) {
     const source = read(path);
-    const add = list => faults.push(...list.map(fault => ({ path, ...fault })));
+    const add = list => findings.push(...list.map(finding => ({ path, ...finding })));
     add(longProse(source));
-    add(linkFaults(path, source, files));
+    add(findLinks(path, source, files));
     for (const { line, path: one, crate } of named(source, topFolders, path === MAP)) {
       if (crate ? !crates.has(crate) : !exists(one)) add([{ line, text: `there is no ${crate ?? one}` }]);
     }
@@ -206,18 +206,18 @@ function main(args) {
   for (const path of files) {
     const lang = language(path);
     if (!['rust', 'ts', 'css', 'shell', 'toml'].includes(lang)) continue;
-    faults.push(...longComments(read(path), lang).map(fault => ({ path, ...fault })));
+    findings.push(...longComments(read(path), lang).map(finding => ({ path, ...finding })));
   }
   const rooms = new Map();
-  for (const { path, line, text } of faults) {
+  for (const { path, line, text } of findings) {
     if (!countOnly) console.log(`${path}:${line}: ${text}`);
     rooms.set(room(path), (rooms.get(room(path)) ?? 0) + 1);
   }
   for (const [name, count] of rooms) console.log(`  ${String(count).padStart(5)}  ${name}`);
   console.log(
-    `docs: ${faults.length} faults in ${documents.length} documents and the comments of ${files.length} files`,
+    `docs: ${findings.length} findings in ${documents.length} documents and the comments of ${files.length} files`,
   );
-  return faults.length === 0;
+  return findings.length === 0;
 }
 
 if (process.argv[1] === new URL(import.meta.url).pathname) process.exitCode = main(process.argv.slice(2)) ? 0 : 1;

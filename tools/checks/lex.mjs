@@ -16,7 +16,7 @@ export function language(path) {
 }
 
 /**
- * Returns the segments of a source: `{ line, kind, text }`, where kind is code, comment, string or prose.
+ * Returns the segments of a source: `{ line, kind, text }`. Kinds are code, comment, string, prose.
  * A segment never spans lines; comment text includes its marker.
  */
 export function segments(text, lang) {

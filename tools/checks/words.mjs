@@ -1,6 +1,8 @@
 // Finds the words of word-list.mjs, and doc comments that do not open with a noun or a verb.
 //
-//   words.mjs [--count] [PATH...]    --count prints the sums a room only; a PATH limits it to what begins with it
+//   words.mjs [--count] [PATH...]
+//
+// --count prints sums only; a PATH limits the search to paths that begin with it.
 import { listFiles, read, room } from './files.mjs';
 import { language, segments } from './lex.mjs';
 import { OPENING, RULES } from './word-list.mjs';
@@ -9,7 +11,7 @@ const EXCEPTIONS = 'tools/checks/words.exceptions';
 /** The largest share of doc comments with a wrong opening. */
 const MAX_OPENINGS = 0.01;
 
-/** Returns the parts of an identifier in lower case: `furthestBut2` gives [furthest, but2]. */
+/** Returns the parts of an identifier in lower case: `maxSpeed2` gives [max, speed2]. */
 export function nameParts(ident) {
   return ident
     .replace(/([a-z0-9])([A-Z])/g, '$1_$2')
