@@ -1,11 +1,10 @@
-//! Whatever is wrong with the input: exit code 2, nothing on standard output, and one line on standard error that names it.
-#![allow(clippy::disallowed_methods, reason = "a refusal must be quick, which a clock tells")]
+//! Bad input: exit code 2, nothing on standard output, and one line on standard error that names the
+//! fault.
 
 mod common;
 
 use std::fs::File;
 use std::io::Write;
-use std::time::{Duration, Instant};
 
 use common::{teeter, teeter_with};
 use serde_json::{Value, json};
@@ -82,24 +81,22 @@ fn impossible_blocks() {
     assert!(fault_of(|s| s["gravity"] = json!(-9.81)).contains("`gravity` is -9.81, expected 0 to 100 m/s²"));
 }
 
-/// A file whose size is 2 GB takes no room on most disks, but reading it would.
+/// A sparse file of 4 TB takes no room on most disks, and a program that reads it all runs for hours.
 #[test]
-fn two_gigabytes_are_refused_early() {
+fn a_huge_file_is_refused_before_it_is_read() {
     let folder = tempfile::tempdir().unwrap();
     let path = folder.path().join("huge.json");
-    File::create(&path).unwrap().set_len(2 << 30).unwrap();
+    // Other systems than Unix may set the room aside.
+    let size = if cfg!(unix) { 4 << 40 } else { 2 << 30 };
+    File::create(&path).unwrap().set_len(size).unwrap();
     let path = path.to_str().unwrap();
     for command in ["run", "score"] {
-        let start = Instant::now();
         let fault = teeter(&[command, path]).fault().to_owned();
         assert!(fault.contains("larger than"), "{fault}");
-        assert!(start.elapsed() < Duration::from_secs(1), "{command} took {:?}", start.elapsed());
     }
-    let start = Instant::now();
     let done = common::command(&["run", "-"]).stdin(File::open(path).unwrap()).output().unwrap();
     assert_eq!(done.status.code(), Some(2));
     assert!(String::from_utf8(done.stderr).unwrap().contains("larger than 64 MB"));
-    assert!(start.elapsed() < Duration::from_secs(2), "{:?}", start.elapsed());
 }
 
 #[test]
