@@ -17,7 +17,7 @@ test: page ## Run every test: Rust, examples, WebAssembly under node, the page i
 	node --test tools/checks/tests/
 	cargo test --workspace --locked --features teeter-cli/page
 	tools/examples
-	cargo test --locked -p teeter-cli --test play
+	cargo test --workspace --locked --features teeter-cli/server --test play -- without_the_page
 	tools/build-wasm scalar
 	cd web && npm run test:wasm && npm run test:unit && npm run test:page
 
