@@ -44,8 +44,9 @@ const PLACE = new RegExp(
   [
     '\\b(the|a|an|its|their|his|her|our|each|every|one|first|same|other|another|this|that|these|those|of|no|whose|last|own|two',
     'three|four|several|many|new|old|free|empty|some|any|all|right|good|narrow|straight|wrong|what|which|whatever|both|only|real',
-    "exact|next|home|between|from|at|block's|player's|for|with|by|in) places?\\b(?! (it|them|a|an|the|blocks?)\\b)",
-  ].join('|') + '|(?<!decimal )(?<!(it|which|that|who|hand|player) )\\bplaces\\b(?! (it|them|a|an|the|blocks?)\\b)',
+    "exact|next|home|between|from|at|block's|player's|for|with|by) places?\\b(?! (it|them|a|an|the|blocks?)\\b)",
+  ].join('|') +
+    '|\\bin places?(?= of\\b)|(?<!decimal )(?<!(it|which|that|who|hand|player) )\\bplaces\\b(?! (it|them|a|an|the|blocks?)\\b)',
   'i',
 );
 
