@@ -426,11 +426,14 @@ fn simple(subject: &Subject) -> Result<Answer, Error> {
 mod tests {
     use std::sync::LazyLock;
 
+    use rayon::prelude::*;
+
     use super::*;
 
-    /// Played once for all tests.
-    static SUBJECTS: LazyLock<Vec<Subject>> =
-        LazyLock::new(|| COLUMNS.iter().map(|column| Subject::new(column).expect("the moves are played")).collect());
+    /// Played once for all tests, and on all cores: the tests wait for it.
+    static SUBJECTS: LazyLock<Vec<Subject>> = LazyLock::new(|| {
+        COLUMNS.par_iter().map(|column| Subject::new(column).expect("the moves are played")).collect()
+    });
 
     /// The columns that do not meet a requirement are these, and all others do.
     fn all_meet_but(number: &str, columns: &[&str]) {
