@@ -8,7 +8,7 @@ use proptest::prelude::*;
 use teeter_dissertation::jenga3d::contact::{Contact, Kind};
 use teeter_dissertation::jenga3d::particle::{Particle, State};
 use teeter_dissertation::jenga3d::point_face::weights;
-use teeter_dissertation::jenga3d::response::{Law, respond};
+use teeter_dissertation::jenga3d::response::{Law, Step, respond};
 use teeter_dissertation::jenga3d::static_friction::Coefficients;
 
 /// A contact of four particles with weights of a point and a face, or of two edges.
@@ -41,8 +41,9 @@ proptest! {
             state.position = velocity;
         }
         let before = next;
-        let law = Law { restitution: e, friction: rough.then_some(Coefficients { at_rest: 0.5, sliding: 0.3 }) };
-        let impulse = respond(&contact, &law, &particles, &curr, &mut next, |_| true);
+        let law = Law { restitution: e, friction: rough.then_some(Coefficients { static_friction: 0.5, kinetic_friction: 0.3 }) };
+        let step = Step { particles: &particles, curr: &curr, next: &mut next };
+        let impulse = respond(&contact, &law, step, |_| true);
 
         let momentum = |states: &[State]| particles.iter().zip(states).map(|(p, s)| p.mass * s.velocity).sum::<DVec3>();
         prop_assert!(momentum(&next).distance(momentum(&before)) < 1e-12);

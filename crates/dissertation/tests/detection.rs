@@ -8,7 +8,8 @@ use common::{cases, vector};
 use glam::DVec3;
 use proptest::prelude::*;
 use teeter_dissertation::jenga3d::edge_edge;
-use teeter_dissertation::jenga3d::point_face::{self, Way};
+use teeter_dissertation::jenga3d::path::Path;
+use teeter_dissertation::jenga3d::point_face;
 
 /// Instants at which the reference looks.
 const SAMPLES: usize = 128;
@@ -47,8 +48,8 @@ fn blur(value: impl Fn(f64) -> f64, t: f64) -> f64 {
 }
 
 /// A way of a size from a tenth to a millionth of the primitives, as between steps, or as large as they are.
-fn way_near(start: DVec3, step: DVec3, smaller: u32) -> Way {
-    Way { start, step: step * 0.1f64.powi_exact(smaller) }
+fn path_near(start: DVec3, step: DVec3, smaller: u32) -> Path {
+    Path { start, step: step * 0.1f64.powi_exact(smaller) }
 }
 
 trait Powers {
@@ -69,11 +70,11 @@ proptest! {
         corners in [vector(), vector(), vector()], share in [0.0..1.0, 0.0..1.0f64], aside in vector(), near in 0..7u32,
         steps in [vector(), vector(), vector(), vector()], smaller in 0..7u32,
     ) {
-        let face = [0, 1, 2].map(|i| way_near(corners[i], steps[i], smaller));
+        let face = [0, 1, 2].map(|i| path_near(corners[i], steps[i], smaller));
         // Above or below the triangle, as near as that, so that crossings are frequent at every scale of motion.
         let (s, t) = (share[0].min(share[1]), share[0].max(share[1]));
         let on = corners[0] * s + corners[1] * (t - s) + corners[2] * (1.0 - t);
-        let point = way_near(on + aside * 0.1f64.powi_exact(near), steps[3], smaller);
+        let point = path_near(on + aside * 0.1f64.powi_exact(near), steps[3], smaller);
 
         let at = |t: f64| [face[0].at(t), face[1].at(t), face[2].at(t), point.at(t)];
         // Positive in front: the corners are clockwise there.
@@ -85,7 +86,7 @@ proptest! {
             [part(b, c), part(c, a), part(a, b)]
         };
         let distance = point_face::distance(&point, &face);
-        let hit = if distance.may_vanish() { point_face::first_hit(&distance, &point, &face, 0.0) } else { None };
+        let hit = if distance.may_have_root() { point_face::first_hit(&distance, &point, &face, 0.0) } else { None };
         let seen = first_change(height, |t, falls| falls && shares(t).iter().all(|w| *w > MARGIN));
         if let Some(t) = seen {
             let hit = hit.ok_or_else(|| TestCaseError::fail(format!("missed at {t}")))?;
@@ -110,9 +111,9 @@ proptest! {
         first in [vector(), vector()], along in [0.0..1.0, 0.0..1.0f64], direction in vector(), aside in vector(), near in 0..7u32,
         steps in [vector(), vector(), vector(), vector()], smaller in 0..7u32,
     ) {
-        let a = [0, 1].map(|i| way_near(first[i], steps[i], smaller));
+        let a = [0, 1].map(|i| path_near(first[i], steps[i], smaller));
         let cross = first[0] + along[0] * (first[1] - first[0]) + aside * 0.1f64.powi_exact(near);
-        let b = [way_near(cross - along[1] * direction, steps[2], smaller), way_near(cross + (1.0 - along[1]) * direction, steps[3], smaller)];
+        let b = [path_near(cross - along[1] * direction, steps[2], smaller), path_near(cross + (1.0 - along[1]) * direction, steps[3], smaller)];
 
         let at = |t: f64| [a[0].at(t), a[1].at(t), b[0].at(t), b[1].at(t)];
         let height = |t: f64| { let [p1, p2, p3, p4] = at(t); volume(p1, p2, p3, p4) };
@@ -129,7 +130,7 @@ proptest! {
         let inside = |t: f64, margin: f64| places(t).iter().all(|mu| *mu > margin && *mu < 1.0 - margin);
         let across = |t: f64| { let [p1, p2, p3, p4] = at(t); (p2 - p1).cross(p4 - p3).length() };
         let distance = edge_edge::distance(&a, &b);
-        let hit = if distance.may_vanish() { edge_edge::first_hit(&distance, &a, &b, 0.0) } else { None };
+        let hit = if distance.may_have_root() { edge_edge::first_hit(&distance, &a, &b, 0.0) } else { None };
         let seen = first_change(height, |t, _| across(t) > 1e-3 && inside(t, MARGIN));
         if let Some(t) = seen {
             let hit = hit.ok_or_else(|| TestCaseError::fail(format!("missed at {t}")))?;
@@ -152,17 +153,17 @@ proptest! {
 /// it within the step; the detection that collisions use does not.
 #[test]
 fn a_point_that_comes_back_is_seen() {
-    let still = |start: DVec3| Way { start, step: DVec3::ZERO };
+    let still = |start: DVec3| Path { start, step: DVec3::ZERO };
     // Clockwise from above, and from the start to the end tilted down and up again by the motion of the point alone: the face rises on one
     // side and falls on the other, so that a point which crosses it sideways is above, below and above.
     let face = [still(DVec3::new(-1.0, 0.0, 0.0)), still(DVec3::new(0.0, 1.0, 0.0)), still(DVec3::new(1.0, 0.0, 0.0))];
     let turning = [
-        Way { start: DVec3::new(-1.0, -1.0, 0.0), step: DVec3::new(0.0, 0.0, 0.8) },
-        Way { start: DVec3::new(0.0, 2.0, 0.0), step: DVec3::ZERO },
-        Way { start: DVec3::new(1.0, -1.0, 0.0), step: DVec3::new(0.0, 0.0, -0.8) },
+        Path { start: DVec3::new(-1.0, -1.0, 0.0), step: DVec3::new(0.0, 0.0, 0.8) },
+        Path { start: DVec3::new(0.0, 2.0, 0.0), step: DVec3::ZERO },
+        Path { start: DVec3::new(1.0, -1.0, 0.0), step: DVec3::new(0.0, 0.0, -0.8) },
     ];
-    let through = Way { start: DVec3::new(-0.6, 0.0, 0.05), step: DVec3::new(1.2, 0.0, -0.1) };
-    let count = |face: &[Way; 3], point: &Way| point_face::distance(point, face).crossings().as_slice().len();
+    let through = Path { start: DVec3::new(-0.6, 0.0, 0.05), step: DVec3::new(1.2, 0.0, -0.1) };
+    let count = |face: &[Path; 3], point: &Path| point_face::distance(point, face).crossings().as_slice().len();
     assert_eq!(count(&face, &still(DVec3::new(0.0, 0.5, 0.1))), 0);
     assert!(!point_face::passes_plane(&through, &turning));
     let hit = point_face::first_hit(&point_face::distance(&through, &turning), &through, &turning, 0.0);

@@ -116,7 +116,7 @@ fn orders_of_pairs() {
         let mut six = settled(&six_rows(), Constants { order, ..without_disabling() }, 30);
         let report = six.frame(None);
         let mean = report.sweeps as f64 / f64::from(six.constants.mid_loop_count);
-        println!("{order:?}: {mean:.2} rounds a step, at most {}", report.most_sweeps);
+        println!("{order:?}: {mean:.2} rounds a step, at most {}", report.max_sweeps);
         assert_eq!(report.unresolved, 0);
         assert!(mean < 3.0, "{order:?}: {mean}");
     }

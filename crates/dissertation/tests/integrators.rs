@@ -1,7 +1,8 @@
 //! Integrators have the order that they are known for, on the motion of one particle on a spring, whose solution is a cosine.
 
 use glam::DVec3;
-use teeter_dissertation::jenga3d::integrate::{Between, Method, euler, integrate};
+use teeter_dissertation::jenga3d::Method;
+use teeter_dissertation::jenga3d::integrate::{Integrator, Scheme, euler};
 use teeter_dissertation::jenga3d::particle::{Particle, State};
 
 const PARTICLE: [Particle; 1] = [Particle { mass: 1.0, block: 0 }];
@@ -32,16 +33,20 @@ fn order(steps: u32, mut step: impl FnMut(&mut Vec<State>, &mut Vec<State>, f64)
     libm::log2(error(steps, &mut step) / error(2 * steps, &mut step))
 }
 
-fn order_of(method: Method, steps: u32) -> f64 {
-    let mut between = Between::default();
-    order(steps, |curr, next, h| integrate(method, 4, h, &PARTICLE, curr, next, &mut between, spring))
+/// Returns a step of a method.
+fn step_by(method: Method, steps: u32) -> impl FnMut(&mut Vec<State>, &mut Vec<State>, f64) {
+    let mut integrator = Integrator::new(Scheme { method, steps, time: 0.0 });
+    move |curr, next, time| {
+        integrator.scheme.time = time;
+        integrator.integrate(&PARTICLE, curr, next, spring);
+    }
 }
 
 #[test]
 fn orders() {
     for (method, expected) in [(Method::Euler, 1.0), (Method::Multi, 1.0), (Method::Midpoint, 2.0), (Method::Rk4, 4.0)]
     {
-        let order = order_of(method, 64);
+        let order = order(64, step_by(method, 4));
         assert!((order - expected).abs() < 0.05, "{} has order {order}", method.name());
     }
 }
@@ -49,11 +54,8 @@ fn orders() {
 /// Four steps at once are four steps.
 #[test]
 fn multi_is_euler_several_times() {
-    let mut between = Between::default();
-    let multi = error(16, |curr, next, h| integrate(Method::Multi, 4, h, &PARTICLE, curr, next, &mut between, spring));
-    let euler = error(64, |curr, next, h| {
-        integrate(Method::Euler, 1, h, &PARTICLE, curr, next, &mut Between::default(), spring)
-    });
+    let multi = error(16, step_by(Method::Multi, 4));
+    let euler = error(64, step_by(Method::Euler, 1));
     assert!((multi - euler).abs() < 1e-14);
 }
 

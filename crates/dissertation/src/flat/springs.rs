@@ -220,10 +220,10 @@ impl Springs2D {
         let (d1, d2) = (way(j) - way(i), way(point) - way(i));
         // Positive outside, which is on the right of the edge.
         let outside = Cubic { a: 0.0, b: d2.perp_dot(d1), c: a2.perp_dot(d1) + d2.perp_dot(a1), d: a2.perp_dot(a1) };
-        if !outside.may_vanish() {
+        if !outside.may_have_root() {
             return false;
         }
-        for root in outside.crossings().as_slice().iter().filter(|root| root.falls) {
+        for root in outside.crossings().as_slice().iter().filter(|root| root.descending) {
             let at = |k: usize| s[k].position + root.t * way(k);
             let along = at(j) - at(i);
             let mu = (at(point) - at(i)).dot(along) / along.length_squared();

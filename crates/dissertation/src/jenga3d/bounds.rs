@@ -1,31 +1,33 @@
-//! Axis-aligned boxes around what moves (section 4.4.3): each holds the current and the next states and with them all between.
+//! Axis-aligned boxes of moving parts (section 4.4.3): each encloses the current state, the next
+//! state and all between.
 
 use glam::DVec3;
 
-/// An axis-aligned box.
+/// Axis-aligned box.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Bounds {
-    /// Least corner, m.
+    /// Minimum corner, m.
     pub min: DVec3,
-    /// Greatest corner, m.
+    /// Maximum corner, m.
     pub max: DVec3,
 }
 
 impl Bounds {
-    /// Around a straight way.
-    pub fn of_way(from: DVec3, to: DVec3) -> Self {
+    /// Returns the box of a straight path.
+    pub fn of_path(from: DVec3, to: DVec3) -> Self {
         Self { min: from.min(to), max: from.max(to) }
     }
 
-    /// Around two boxes.
-    pub fn with(self, other: Self) -> Self {
+    /// Returns the box of two boxes.
+    pub fn union(self, other: Self) -> Self {
         Self { min: self.min.min(other.min), max: self.max.max(other.max) }
     }
 
-    /// Whether two boxes have a point in common.
+    /// Returns true if two boxes share a point.
     #[inline]
-    pub fn meets(&self, other: &Self) -> bool {
-        // No short cut between the axes: six comparisons are cheaper than a jump that is taken at random.
+    pub fn overlaps(&self, other: &Self) -> bool {
+        // No short circuit between the axes: six comparisons cost less than an unpredictable
+        // branch.
         (self.min.x <= other.max.x)
             & (other.min.x <= self.max.x)
             & (self.min.y <= other.max.y)
@@ -35,15 +37,16 @@ impl Bounds {
     }
 }
 
-/// Boxes of `N` parts of a block, at most sixteen, coordinate by coordinate, so that one comparison takes several parts.
+/// Boxes of `N` parts of a block, at most sixteen, as structure of arrays, so that one comparison
+/// covers several parts.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct BoundsOf<const N: usize> {
+pub struct BoundsArray<const N: usize> {
     min: [[f64; N]; 3],
     max: [[f64; N]; 3],
 }
 
-impl<const N: usize> BoundsOf<N> {
-    /// The boxes that `of` gives for each part.
+impl<const N: usize> BoundsArray<N> {
+    /// Creates the boxes that `of` returns for each part.
     pub fn new(of: impl Fn(usize) -> Bounds) -> Self {
         let mut all = Self { min: [[0.0; N]; 3], max: [[0.0; N]; 3] };
         for n in 0..N {
@@ -52,7 +55,7 @@ impl<const N: usize> BoundsOf<N> {
         all
     }
 
-    /// The box of a part.
+    /// Returns the box of a part.
     #[inline]
     pub fn get(&self, n: usize) -> Bounds {
         let corner = |c: &[[f64; N]; 3]| DVec3::new(c[0][n], c[1][n], c[2][n]);
@@ -68,16 +71,16 @@ impl<const N: usize> BoundsOf<N> {
         }
     }
 
-    /// Which parts meet a box, as bits.
+    /// Returns a mask of the parts that overlap a box.
     #[inline]
-    pub fn meeting(&self, bounds: &Bounds) -> u16 {
-        let mut meets = [true; N];
+    pub fn overlapping(&self, bounds: &Bounds) -> u16 {
+        let mut overlaps = [true; N];
         for axis in 0..3 {
             let (low, high) = (bounds.min[axis], bounds.max[axis]);
-            for (meets, (min, max)) in meets.iter_mut().zip(self.min[axis].iter().zip(&self.max[axis])) {
-                *meets &= (*min <= high) & (*max >= low);
+            for (overlaps, (min, max)) in overlaps.iter_mut().zip(self.min[axis].iter().zip(&self.max[axis])) {
+                *overlaps &= (*min <= high) & (*max >= low);
             }
         }
-        meets.iter().enumerate().fold(0, |bits, (n, meets)| bits | u16::from(*meets) << n)
+        overlaps.iter().enumerate().fold(0, |mask, (n, overlaps)| mask | u16::from(*overlaps) << n)
     }
 }

@@ -1,10 +1,11 @@
-//! The boxes of all particles, edges, faces and blocks, kept up as particles change (sections 4.4.3 and 5.3).
+//! Boxes of particles, edges, faces and blocks, updated as particles change (sections 4.4.3 and
+//! 5.3).
 
 use super::block::{CORNERS, EDGE_CORNERS, EDGES, FACE_CORNERS, FACES};
-use super::bounds::{Bounds, BoundsOf};
+use super::bounds::{Bounds, BoundsArray};
 use super::particle::State;
 
-/// Faces that each corner of a block is a corner of, as bits.
+/// Masks of the faces at each corner.
 const FACES_OF: [u16; CORNERS] = {
     let mut of = [0; CORNERS];
     let mut face = 0;
@@ -18,7 +19,7 @@ const FACES_OF: [u16; CORNERS] = {
     of
 };
 
-/// Edges that end at each corner, as bits.
+/// Masks of the edges at each corner.
 const EDGES_OF: [u16; CORNERS] = {
     let mut of = [0; CORNERS];
     let mut edge = 0;
@@ -31,48 +32,48 @@ const EDGES_OF: [u16; CORNERS] = {
     of
 };
 
-/// The boxes of the parts of one block.
+/// Boxes of the parts of one block.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct BlockBoxes {
-    /// Of its corners.
-    pub corners: BoundsOf<CORNERS>,
-    /// Of its edges.
-    pub edges: BoundsOf<EDGES>,
-    /// Of its faces.
-    pub faces: BoundsOf<FACES>,
+    /// Boxes of its corners.
+    pub corners: BoundsArray<CORNERS>,
+    /// Boxes of its edges.
+    pub edges: BoundsArray<EDGES>,
+    /// Boxes of its faces.
+    pub faces: BoundsArray<FACES>,
 }
 
 impl BlockBoxes {
-    /// Around a block whose eight states are these.
+    /// Creates the boxes of a block with these current and next states.
     pub fn new(curr: &[State], next: &[State]) -> Self {
-        let corners: BoundsOf<CORNERS> = BoundsOf::new(|i| Bounds::of_way(curr[i].position, next[i].position));
-        let edges = BoundsOf::new(|n| around(&corners, &EDGE_CORNERS[n]));
-        let faces = BoundsOf::new(|n| around(&corners, &FACE_CORNERS[n]));
+        let corners: BoundsArray<CORNERS> = BoundsArray::new(|i| Bounds::of_path(curr[i].position, next[i].position));
+        let edges = BoundsArray::new(|n| enclose(&corners, &EDGE_CORNERS[n]));
+        let faces = BoundsArray::new(|n| enclose(&corners, &FACE_CORNERS[n]));
         Self { corners, edges, faces }
     }
 
-    /// Around the whole block.
+    /// Returns the box of the whole block.
     pub fn block(&self) -> Bounds {
-        around(&self.corners, &[0, 1, 2, 3, 4, 5, 6, 7])
+        enclose(&self.corners, &[0, 1, 2, 3, 4, 5, 6, 7])
     }
 
-    /// Brings the boxes up to date after one corner has changed.
-    pub fn renew_corner(&mut self, corner: usize, curr: &State, next: &State) {
-        self.corners.set(corner, Bounds::of_way(curr.position, next.position));
+    /// Updates the boxes after a change of one corner.
+    pub fn update_corner(&mut self, corner: usize, curr: &State, next: &State) {
+        self.corners.set(corner, Bounds::of_path(curr.position, next.position));
         for (n, ends) in EDGE_CORNERS.iter().enumerate() {
             if EDGES_OF[corner] >> n & 1 == 1 {
-                self.edges.set(n, around(&self.corners, ends));
+                self.edges.set(n, enclose(&self.corners, ends));
             }
         }
         for (n, corners) in FACE_CORNERS.iter().enumerate() {
             if FACES_OF[corner] >> n & 1 == 1 {
-                self.faces.set(n, around(&self.corners, corners));
+                self.faces.set(n, enclose(&self.corners, corners));
             }
         }
     }
 }
 
-/// Around some corners.
-fn around<const N: usize>(corners: &BoundsOf<CORNERS>, which: &[usize; N]) -> Bounds {
-    which[1..].iter().fold(corners.get(which[0]), |all, &c| all.with(corners.get(c)))
+/// Returns the box of some corners.
+fn enclose<const N: usize>(corners: &BoundsArray<CORNERS>, indices: &[usize; N]) -> Bounds {
+    indices[1..].iter().fold(corners.get(indices[0]), |all, &c| all.union(corners.get(c)))
 }

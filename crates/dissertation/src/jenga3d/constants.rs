@@ -1,74 +1,92 @@
-//! The constants of the simulator (section 5.5.1), all of which an ini file can set. Lengths in m, masses in kg, times in s.
+//! Constants of the simulator (section 5.5.1), all of which an ini file can set. Lengths in m,
+//! masses in kg, times in s.
 
-use super::collide::{Culling, Order};
-use super::disable::Disabling;
-use super::hand::HandMode;
-use super::integrate::Method;
+use super::integrate::Scheme;
+use super::options::{Culling, Disabling, HandMode, Method, Order};
 use super::response::Law;
 use super::static_friction::Coefficients;
 
-/// Everything about a run that is not the tower.
+/// Constants of a run: everything except the tower.
+///
+/// ```
+/// use teeter_dissertation::jenga3d::Constants;
+///
+/// let soft = Constants { stiffness: 1e3, ..Constants::default() };
+/// assert_eq!(soft.step(), 1.0 / 9600.0);
+/// assert_eq!(Constants::from_ini("[Springs]\nstiffness = 1e3"), Ok(soft));
+/// ```
 #[derive(Debug, Clone, PartialEq)]
 pub struct Constants {
-    /// Frames in a second of simulated time.
+    /// Frames per second of simulated time, 1/s.
     pub frame_rate: f64,
-    /// Times that a frame integrates, collides and accepts (`midLoopCount` of Figure 5.2). A contact is only seen once in each, so the time
-    /// of one must be short against the period of a corner on its springs.
+    /// Steps of integrating, colliding and accepting in a frame (`midLoopCount` of Figure 5.2). A
+    /// step detects a contact once, so it must be short against the period of a corner on its
+    /// springs.
     pub mid_loop_count: u32,
     /// Acceleration of gravity along -z, m/s².
     pub gravity: f64,
-    /// How far apart the rows are at the start, m: they fall onto each other (section 5.2.1).
+    /// Distance between rows at the start, m: they fall onto each other (section 5.2.1).
     pub row_spacing: f64,
-    /// How states are stepped forward.
+    /// Integrator.
     pub method: Method,
-    /// Steps of the multi-step Euler method in each of a frame's `mid_loop_count` (`iterationsPerFrame` of appendix 2.1).
+    /// Steps of the multi-step Euler method in one of the `mid_loop_count` steps
+    /// (`iterationsPerFrame` of appendix 2.1).
     pub iterations_per_frame: u32,
-    /// Of every spring, N/m. A block is some six times as stiff along each of its axes.
+    /// Stiffness of every spring, N/m. A block is about six times as stiff along each of its axes.
     pub stiffness: f64,
-    /// Of every spring, N s/m.
+    /// Damping of every spring, N s/m.
     pub damping: f64,
-    /// Ratio of the speeds after and before a collision, 0 to 1 (Eq. 2.11). Zero leaves no gap between blocks at rest but rounding.
+    /// Ratio of the speeds after and before a collision, 0 to 1 (Eq. 2.11). At 0 only rounding
+    /// separates blocks at rest.
     pub restitution: f64,
-    /// Whether there is friction.
+    /// True for contacts with friction.
     pub friction_enabled: bool,
     /// Coefficient of kinetic friction (Eq. 2.18).
     pub friction: f64,
     /// Drag of a contact across its normal, N s/m.
     pub drag: f64,
-    /// Coefficient of static friction where it is modelled; none is the 2003 method.
+    /// Coefficient of static friction; `None` is the method of 2003, which has only kinetic
+    /// friction.
     pub static_friction: Option<f64>,
-    /// By how much faces and edges count as larger, m: enough that rounding leaves no gap between the triangles of a side.
+    /// Enlargement of faces and edges, m: enough that rounding leaves no gap between the triangles
+    /// of a side.
     pub tolerance: f64,
-    /// Most rounds over the pairs in one call of `CollideBlocks`; what is not resolved by then is counted.
+    /// Maximum number of rounds over the pairs in one call of `CollideBlocks`. A call with
+    /// collisions left is counted.
     pub max_sweeps: u32,
-    /// Order in which pairs are looked at.
+    /// Order of the pairs.
     pub order: Order,
-    /// Which tests come before the exact one.
+    /// Tests before the exact one.
     pub culling: Culling,
-    /// Whether the boxes of corners and faces are compared as Figure 5.5 lists it: its first inner loop goes over the corners p1 of the first
-    /// block and the faces f2 of the second, but compares p2 with f1, which says nothing of the two at hand, so that every corner is left
-    /// for each face that meets the other block. It costs tests, and finds no more than corners that pass a face by less than `tolerance`.
+    /// True to compare the boxes of corners and faces as Figure 5.5 lists it.
+    ///
+    /// Its first inner loop iterates over the corners p1 of the first block and the faces f2 of the
+    /// second, but compares p2 with f1. Every corner then remains for each face that overlaps the
+    /// other block: more tests, which find only corners that miss a face by less than `tolerance`.
     pub listed_boxes: bool,
-    /// Whether pairs neither of whose blocks has changed are passed over within a step. It saves tests and changes no result.
+    /// True to skip pairs whose blocks have not changed since their last test within a step. It
+    /// saves tests and changes no result.
     pub skip_unchanged: bool,
-    /// How blocks are disabled.
+    /// Disabling of blocks.
     pub disabling: Disabling,
-    /// A block is disabled when the ways of its eight particles in one step sum up to less, m (appendix 2.5). The threshold of 2e-4 there has
-    /// no unit, and belongs to a time step that is not told.
+    /// Threshold of disabling, m, for the sum of the distances that a block's eight particles move
+    /// in one step (appendix 2.5). The threshold of 2e-4 there has no unit and belongs to an
+    /// unknown time step.
     pub disable_threshold: f64,
-    /// Impulse at which a collision enables a disabled block, N s (section 4.7).
+    /// Impulse of a collision that enables a disabled block, N s (section 4.7).
     pub reactivation_impulse: f64,
-    /// Time over which [`Disabling::Rigid`] watches a block, s.
+    /// Time over which [`Disabling::Rigid`] compares the poses of a block, s.
     pub rest_time: f64,
-    /// How far a corner may come by the rigid motion of its block within that time, m.
+    /// Maximum displacement of a corner by the rigid motion of a resting block within that time, m.
     pub rest_distance: f64,
-    /// How the hand moves a block.
+    /// Method of the hand.
     pub hand: HandMode,
     /// Force of the hand per distance between block and target, N/m.
     pub hand_stiffness: f64,
-    /// Velocity that the hand gives per distance between block and target, 1/s.
+    /// Velocity written by the hand per distance between block and target, 1/s.
     pub hand_rate: f64,
-    /// Steps after the last collision for which a block counts as in contact: at rest it collides in one of several.
+    /// Steps after the last collision during which a block counts as in contact. A block at rest
+    /// collides once in several steps.
     pub contact_memory: u32,
 }
 
@@ -108,18 +126,23 @@ impl Default for Constants {
 }
 
 impl Constants {
-    /// Time of one round of integrating and colliding, s.
+    /// Time of one step of integrating and colliding, s.
     pub fn step(&self) -> f64 {
         1.0 / (self.frame_rate * f64::from(self.mid_loop_count))
     }
 
-    /// How a collision goes.
+    /// Law of collisions.
     pub fn law(&self) -> Law {
         let friction = self.static_friction.filter(|_| self.friction_enabled);
         Law {
             restitution: self.restitution,
-            friction: friction.map(|at_rest| Coefficients { at_rest, sliding: self.friction }),
+            friction: friction.map(|static_friction| Coefficients { static_friction, kinetic_friction: self.friction }),
         }
+    }
+
+    /// Integration scheme of a step.
+    pub fn scheme(&self) -> Scheme {
+        Scheme { method: self.method, steps: self.iterations_per_frame, time: self.step() }
     }
 
     /// Time between two computations of forces, s.

@@ -1,49 +1,75 @@
-//! A contact between two blocks, or a block and the floor (sections 4.5 and 4.6, appendix 2.6).
+//! Contacts between two blocks, or a block and the floor (sections 4.5 and 4.6, appendix 2.6).
 
 use glam::DVec3;
 
 use super::particle::{Particle, State};
 
-/// What touches what.
+/// Kind of a contact.
+///
+/// ```
+/// use teeter_dissertation::jenga3d::contact::Kind;
+///
+/// assert!(Kind::ParticleFloor < Kind::ParticleFace(0, 0)); // kinds sort
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Kind {
-    /// A particle and the floor.
+    /// Particle and floor.
     ParticleFloor,
-    /// A particle and a face: their indices.
+    /// Particle and face, by index.
     ParticleFace(u32, u32),
-    /// Two edges: the indices of their springs.
+    /// Two edges, by the indices of their springs.
     EdgeEdge(u32, u32),
 }
 
-/// A contact of up to four particles. Those of the side that the normal points to have positive weights, whose sum is 1; those of the other
-/// side negative ones, whose sum is -1, or none for the floor.
+/// Contact of up to four particles.
+///
+/// Particles on the side that the normal points to have positive weights of sum 1. Those on the
+/// other side have negative weights of sum -1, or none for the floor.
+///
+/// ```
+/// use glam::DVec3;
+/// use teeter_dissertation::jenga3d::contact::{Contact, FLOOR, Kind};
+/// use teeter_dissertation::jenga3d::particle::State;
+///
+/// let contact = Contact {
+///     kind: Kind::ParticleFloor,
+///     blocks: [0, FLOOR],
+///     particles: [1, 0, 0, 0],
+///     weights: [1.0, 0.0, 0.0, 0.0],
+///     normal: DVec3::Z,
+///     normal_force: 0.0,
+/// };
+/// let falling = State { velocity: -DVec3::Z, ..State::default() };
+/// assert_eq!(contact.velocity(&[State::default(), falling]), -DVec3::Z);
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Contact {
-    /// What touches.
+    /// Kind of the contact.
     pub kind: Kind,
-    /// The blocks, that which the normal points to first; [`FLOOR`] for the floor.
+    /// Indices of the blocks, first the one that the normal points to; [`FLOOR`] for the floor.
     pub blocks: [u32; 2],
     /// Indices of the particles.
     pub particles: [u32; 4],
-    /// Their weights; the unused ones are zero (Eq. 4.14a, 4.16).
+    /// Weights of the particles, zero for unused entries (Eq. 4.14a, 4.16).
     pub weights: [f64; 4],
     /// Unit normal.
     pub normal: DVec3,
-    /// Force along the normal, N: the impulse over the time of the step that it came from.
+    /// Normal force, N: the impulse over the time of its step.
     pub normal_force: f64,
 }
 
-/// In place of a block: the floor.
+/// Index of the floor in the list of blocks of a contact.
 pub const FLOOR: u32 = u32::MAX;
 
 impl Contact {
-    /// The particles with their weights.
+    /// Returns the particles with their weights.
     #[inline]
     pub fn parts(&self) -> impl Iterator<Item = (usize, f64)> + '_ {
         self.particles.iter().zip(self.weights).filter(|(_, w)| *w != 0.0).map(|(&p, w)| (p as usize, w))
     }
 
-    /// Weighted sum of something of the particles: with velocities, that of the one side relative to the other (Eq. 2.8, 4.14a).
+    /// Weighted sum of a vector over the particles. For velocities this is the velocity of one side
+    /// relative to the other (Eq. 2.8, 4.14a).
     #[inline]
     pub fn relative(&self, of: impl Fn(usize) -> DVec3) -> DVec3 {
         let mut sum = DVec3::ZERO;
@@ -55,8 +81,11 @@ impl Contact {
         sum
     }
 
-    /// Inverse of the mass that the contact point presents to an impulse, 1/kg: an impulse moves each particle by its weight over its mass,
-    /// and the point by the weighted sum of that. Particles of fixed blocks count as infinitely heavy.
+    /// Inverse mass of the contact point, 1/kg.
+    ///
+    /// An impulse changes the velocity of each particle by its weight over its mass, and that of
+    /// the point by the weighted sum. Particles of blocks for which `moves` is false have infinite
+    /// mass.
     #[inline]
     pub fn inverse_mass(&self, particles: &[Particle], moves: impl Fn(u32) -> bool) -> f64 {
         self.parts().filter(|(p, _)| moves(particles[*p].block)).map(|(p, w)| w * w / particles[p].mass).sum()

@@ -1,9 +1,18 @@
-//! Roots of the cubic of Eq. 4.10 between 0 and 1.
+//! Roots of the cubic of Eq. 4.10 from 0 to 1.
 //!
-//! The interval is cut where the slope of the cubic changes its sign, so that each piece is crossed at most once, and a root lies in a
-//! piece exactly when the values at its ends differ in sign. A closed form would lose small roots to cancellation.
+//! The interval is split at the extrema of the cubic, so that each piece has at most one root, and
+//! has it exactly if the values at its ends differ in sign. A closed form would lose small roots to
+//! cancellation.
 
-/// a t³ + b t² + c t + d.
+/// Cubic a t³ + b t² + c t + d.
+///
+/// ```
+/// use teeter_dissertation::jenga3d::cubic::Cubic;
+///
+/// let line = Cubic { a: 0.0, b: 0.0, c: -2.0, d: 1.0 };
+/// assert!(line.may_have_root());
+/// assert_eq!(line.at(0.5), 0.0);
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Cubic {
     /// Coefficient of t³.
@@ -16,16 +25,30 @@ pub struct Cubic {
     pub d: f64,
 }
 
-/// A root, and on which side of it the cubic is positive.
+/// Root of a cubic with the sign of its change.
+///
+/// ```
+/// use teeter_dissertation::jenga3d::cubic::{Cubic, Root};
+///
+/// let line = Cubic { a: 0.0, b: 0.0, c: -2.0, d: 1.0 };
+/// assert_eq!(line.crossings().as_slice(), [Root { t: 0.5, descending: true }]);
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Root {
-    /// Where, 0 to 1.
+    /// Argument, 0 to 1.
     pub t: f64,
-    /// Whether the cubic falls there, from positive to negative.
-    pub falls: bool,
+    /// True where the cubic changes from positive to negative.
+    pub descending: bool,
 }
 
-/// Roots in ascending order.
+/// Roots of a cubic in ascending order.
+///
+/// ```
+/// use teeter_dissertation::jenga3d::cubic::Cubic;
+///
+/// let cubic = Cubic { a: 32.0, b: -48.0, c: 22.0, d: -3.0 }; // roots 1/4, 1/2, 3/4
+/// assert_eq!(cubic.crossings().as_slice().len(), 3);
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Roots {
     roots: [Root; 3],
@@ -33,7 +56,7 @@ pub struct Roots {
 }
 
 impl Roots {
-    /// The roots, the smallest first.
+    /// Roots as a slice, the smallest first.
     pub fn as_slice(&self) -> &[Root] {
         &self.roots[..self.len]
     }
@@ -50,28 +73,29 @@ impl Cubic {
         (3.0 * self.a * t + 2.0 * self.b) * t + self.c
     }
 
-    /// Whether it may be zero between 0 and 1: false only where all of its Bernstein coefficients have one sign, whose least and greatest
-    /// bound its values.
+    /// Returns false if the cubic certainly has no root from 0 to 1: where its Bernstein
+    /// coefficients, which bound its values, all have one sign.
     #[inline]
-    pub fn may_vanish(&self) -> bool {
+    pub fn may_have_root(&self) -> bool {
         let Cubic { a, b, c, d } = *self;
-        // The two in the middle times three.
+        // The middle two are scaled by three.
         let (p0, p1, p2, p3) = (d, 3.0 * d + c, 3.0 * d + 2.0 * c + b, d + c + b + a);
         !((p0 > 0.0 && p1 > 0.0 && p2 > 0.0 && p3 > 0.0) || (p0 < 0.0 && p1 < 0.0 && p2 < 0.0 && p3 < 0.0))
     }
 
-    /// The places from 0 to 1, both included, where its sign changes. A zero at an end counts if the cubic is not zero beside it; where it
-    /// only touches zero there is none.
+    /// Returns the arguments from 0 to 1, inclusive, where the sign changes.
+    ///
+    /// A zero at an end counts if the cubic is not zero next to it; a double root does not count.
     pub fn crossings(&self) -> Roots {
-        let mut found = Roots { roots: [Root { t: 0.0, falls: false }; 3], len: 0 };
-        let cuts = self.turns();
+        let mut found = Roots { roots: [Root { t: 0.0, descending: false }; 3], len: 0 };
+        let cuts = self.extrema();
         let mut low = (0.0, self.at(0.0));
         for t in cuts.into_iter().chain([1.0]) {
             let high = (t, self.at(t));
-            let falls = (low.1 > 0.0 && high.1 <= 0.0) || (low.1 == 0.0 && low.0 == 0.0 && high.1 < 0.0);
-            let rises = (low.1 < 0.0 && high.1 >= 0.0) || (low.1 == 0.0 && low.0 == 0.0 && high.1 > 0.0);
-            if (falls || rises) && found.len < 3 {
-                found.roots[found.len] = Root { t: self.between(low, high), falls };
+            let descending = (low.1 > 0.0 && high.1 <= 0.0) || (low.1 == 0.0 && low.0 == 0.0 && high.1 < 0.0);
+            let ascending = (low.1 < 0.0 && high.1 >= 0.0) || (low.1 == 0.0 && low.0 == 0.0 && high.1 > 0.0);
+            if (descending || ascending) && found.len < 3 {
+                found.roots[found.len] = Root { t: self.root_between(low, high), descending };
                 found.len += 1;
             }
             low = high;
@@ -79,9 +103,10 @@ impl Cubic {
         found
     }
 
-    /// The places between 0 and 1 where the slope is zero, in ascending order; 1 in place of those that are not there.
-    fn turns(&self) -> [f64; 2] {
-        // 3 a t² + 2 b t + c = 0, in the form that subtracts no nearly equal numbers.
+    /// Returns the arguments between 0 and 1 where the slope is zero, in ascending order, padded
+    /// with 1.
+    fn extrema(&self) -> [f64; 2] {
+        // 3 a t² + 2 b t + c = 0, in the form without cancellation.
         let (a, b, c) = (3.0 * self.a, self.b, self.c);
         let square = b * b - a * c;
         if square.is_nan() || square <= 0.0 {
@@ -93,8 +118,9 @@ impl Cubic {
         [s.min(t), s.max(t)]
     }
 
-    /// The root of a piece without turns, by Newton's method, by halves where that would leave the piece.
-    fn between(&self, low: (f64, f64), high: (f64, f64)) -> f64 {
+    /// Returns the root of a monotonic piece by Newton's method, and by bisection where that would
+    /// leave the piece.
+    fn root_between(&self, low: (f64, f64), high: (f64, f64)) -> f64 {
         if low.1 == 0.0 {
             return low.0;
         }

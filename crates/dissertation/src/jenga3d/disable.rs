@@ -1,29 +1,18 @@
 //! Disabling blocks that hardly move (sections 4.7 and 5.7.1, appendix 2.5).
 
 use glam::DVec3;
-use serde::{Deserialize, Serialize};
 
 use super::block::{Block, CORNERS};
 use super::constants::Constants;
 use super::model::Model;
 use super::particle::State;
 
-/// How blocks are disabled.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
-#[serde(rename_all = "kebab-case")]
-pub enum Disabling {
-    /// Never.
-    Off,
-    /// As in appendix 2.5: by the ways of the particles in the one step.
-    Listed,
-    /// By the rigid motion of the block over a time; disabled blocks stay so, take no steps and are not tested against each other.
-    Rigid,
-}
-
-/// Disables the blocks whose particles went less than the threshold in this step, and puts them back to where they were; appendix 2.5 as it
-/// is. It leaves the velocities, so what has only just been let go is late by a step and does not hang in the air.
+/// Disables the blocks whose particles moved less than the threshold in this step, and restores
+/// their positions (appendix 2.5). Returns their indices.
 ///
-/// Its fault is what it measures: a block that breathes on its springs counts as moving, one that begins to tip slowly does not.
+/// Velocities stay, so a block that was just released falls one step late. The rule measures the
+/// wrong motion: a block that vibrates on its springs counts as moving, one that tips slowly does
+/// not.
 pub fn disable_motionless(
     model: &mut Model,
     constants: &Constants,
@@ -36,8 +25,8 @@ pub fn disable_motionless(
         if held == Some(n as u32) {
             continue;
         }
-        let ways: f64 = block.corners().map(|p| next[p].position.distance(curr[p].position)).sum();
-        if ways < constants.disable_threshold {
+        let travel: f64 = block.corners().map(|p| next[p].position.distance(curr[p].position)).sum();
+        if travel < constants.disable_threshold {
             block.active = false;
             for p in block.corners() {
                 next[p].position = curr[p].position;
@@ -48,7 +37,8 @@ pub fn disable_motionless(
     disabled
 }
 
-/// What of a block moves as a whole: its centre and two of its axes, so that what breathes stays where it is.
+/// Rigid pose of a block: its centre and two of its axes, which vibration on the springs leaves in
+/// place.
 #[derive(Debug, Clone, Copy, PartialEq)]
 struct Pose {
     centre: DVec3,
@@ -58,7 +48,7 @@ struct Pose {
 impl Pose {
     fn of(block: &Block, states: &[State]) -> Self {
         let corners = &states[block.corners()];
-        // Along an axis, the mean of the corners on one side less that on the other.
+        // Along an axis: the mean of the corners on one side minus that on the other.
         let axis = |bit: usize| {
             let signed = |c: usize| if c >> bit & 1 == 1 { corners[c].position } else { -corners[c].position };
             (0..CORNERS).map(signed).sum::<DVec3>().normalize_or_zero()
@@ -66,51 +56,55 @@ impl Pose {
         Self { centre: block.centre(states), axes: [axis(0), axis(1)] }
     }
 
-    /// How far a corner at `reach` (m) from the centre is at most from where another pose puts it, m.
-    fn distance(&self, other: &Self, reach: f64) -> f64 {
-        let turn = self.axes[0].distance(other.axes[0]).max(self.axes[1].distance(other.axes[1]));
-        self.centre.distance(other.centre) + turn * reach
+    /// Upper bound on the displacement between two poses of a corner at `radius` (m) from the
+    /// centre, m.
+    fn distance(&self, other: &Self, radius: f64) -> f64 {
+        let rotation = self.axes[0].distance(other.axes[0]).max(self.axes[1].distance(other.axes[1]));
+        self.centre.distance(other.centre) + rotation * radius
     }
 }
 
-/// Watches the rigid motion of blocks over time: the test that section 6.3 asks for.
+/// Detector of rest by the rigid motion of blocks over time: the test that section 6.3 asks for.
 #[derive(Debug, Clone, Default)]
-pub struct Watch {
-    /// Where each block was when its time began, and how long that is ago, s.
-    since: Vec<(Pose, f64)>,
+pub struct RestDetector {
+    /// Reference pose of each block, and its age, s.
+    references: Vec<(Pose, f64)>,
     /// Half the diagonal of each block, m.
-    reach: Vec<f64>,
+    radii: Vec<f64>,
 }
 
-impl Watch {
-    /// Begins to watch.
+/// Influences on the blocks in a step.
+#[derive(Debug, Clone, Copy)]
+pub struct Activity<'a> {
+    /// Index of the block in the hand.
+    pub held: Option<u32>,
+    /// Pairs of blocks in contact.
+    pub neighbours: &'a [[u32; 2]],
+}
+
+impl RestDetector {
+    /// Creates a detector with the current poses as references.
     pub fn new(model: &Model, states: &[State]) -> Self {
-        let since = model.blocks.iter().map(|b| (Pose::of(b, states), 0.0)).collect();
-        let reach = |b: &Block| states[b.corners().start].position.distance(b.centre(states));
-        Self { since, reach: model.blocks.iter().map(reach).collect() }
+        let references = model.blocks.iter().map(|b| (Pose::of(b, states), 0.0)).collect();
+        let radius = |b: &Block| states[b.corners().start].position.distance(b.centre(states));
+        Self { references, radii: model.blocks.iter().map(radius).collect() }
     }
 
-    /// Begins the time of a block anew.
+    /// Resets the time of a block.
     pub fn wake(&mut self, block: usize) {
-        self.since[block].1 = 0.0;
+        self.references[block].1 = 0.0;
     }
 
-    /// After a step: disables what has been still for long enough, with all that could push it still too, and enables the neighbours of what
-    /// moves.
-    pub fn update(
-        &mut self,
-        model: &mut Model,
-        constants: &Constants,
-        held: Option<u32>,
-        neighbours: &[[u32; 2]],
-        states: &mut [State],
-    ) {
+    /// Disables the blocks that have rested for long enough, and enables the neighbours of moving
+    /// blocks.
+    pub fn update(&mut self, model: &mut Model, constants: &Constants, activity: Activity, states: &mut [State]) {
+        let Activity { held, neighbours } = activity;
         let mut moved = vec![false; model.blocks.len()];
         for (n, block) in model.blocks.iter().enumerate() {
             let pose = Pose::of(block, states);
-            let (start, time) = &mut self.since[n];
+            let (start, time) = &mut self.references[n];
             *time += constants.step();
-            if pose.distance(start, self.reach[n]) > constants.rest_distance || held == Some(n as u32) {
+            if pose.distance(start, self.radii[n]) > constants.rest_distance || held == Some(n as u32) {
                 (*start, *time) = (pose, 0.0);
                 moved[n] = block.active;
             }
@@ -119,12 +113,12 @@ impl Watch {
             for (mover, other) in [(a as usize, b as usize), (b as usize, a as usize)] {
                 if moved[mover] && !model.blocks[other].active {
                     model.blocks[other].active = true;
-                    self.since[other].1 = 0.0;
+                    self.references[other].1 = 0.0;
                 }
             }
         }
         for (n, block) in model.blocks.iter_mut().enumerate() {
-            if block.active && self.since[n].1 >= constants.rest_time {
+            if block.active && self.references[n].1 >= constants.rest_time {
                 block.active = false;
                 for p in block.corners() {
                     states[p].velocity = DVec3::ZERO;

@@ -1,11 +1,11 @@
-//! The floor, z = 0: a plane that only particles can meet.
+//! Floor, z = 0: a plane that only particles collide with.
 
 use glam::DVec3;
 
 use super::contact::{Contact, FLOOR, Kind};
 use super::particle::State;
 
-/// The contact of a particle that would be below the floor in its next state.
+/// Returns the contact of a particle whose next state is below the floor.
 pub fn contact(particle: u32, block: u32, next: &State) -> Option<Contact> {
     (next.position.z < 0.0).then_some(Contact {
         kind: Kind::ParticleFloor,

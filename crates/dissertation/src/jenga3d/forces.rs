@@ -1,28 +1,41 @@
-//! The forces on the particles (section 4.3.1, appendix 2.2).
+//! Forces on the particles (section 4.3.1, appendix 2.2).
 
 use glam::DVec3;
 
 use super::block::SPRINGS;
 use super::constants::Constants;
 use super::contact::Contact;
-use super::disable::Disabling;
 use super::friction;
 use super::hand::UserForce;
 use super::model::Model;
+use super::options::Disabling;
 use super::particle::State;
 
-/// What the forces of a step follow from, besides the states.
+/// Inputs of the forces of a step, besides model, constants and states.
+///
+/// ```
+/// use teeter_dissertation::jenga3d::forces::{Sources, compute_forces};
+/// use teeter_dissertation::jenga3d::{Constants, Jenga3D};
+///
+/// let scene = teeter_scene::named("block").expect("the list has it");
+/// let mut block = Jenga3D::new(&scene, Constants::default()).expect("a valid scene");
+/// let sources = Sources { user: None, contacts: &[], time: block.constants.force_step() };
+/// compute_forces(&block.model, &block.constants, &sources, &mut block.curr);
+/// let weight: f64 = block.curr.iter().map(|state| -state.force.z).sum();
+/// assert!((weight - 0.0196 * 9.81).abs() < 1e-12);
+/// ```
 #[derive(Debug)]
 pub struct Sources<'a> {
-    /// The hand's force, if it gives one.
+    /// Force of the hand, if any.
     pub user: Option<UserForce>,
-    /// Contacts of the last step.
+    /// Contacts of the previous step.
     pub contacts: &'a [Contact],
     /// Time between two computations of forces, s.
     pub time: f64,
 }
 
-/// Writes the force on every particle: the user's, gravity, springs, and friction from the contacts of the last step.
+/// Writes the force on every particle: hand, gravity, springs, and friction at the contacts of the
+/// previous step.
 pub fn compute_forces(model: &Model, constants: &Constants, sources: &Sources, states: &mut [State]) {
     let gravity = -constants.gravity * DVec3::Z;
     for (state, particle) in states.iter_mut().zip(&model.particles) {
@@ -31,7 +44,8 @@ pub fn compute_forces(model: &Model, constants: &Constants, sources: &Sources, s
     if let Some(user) = sources.user {
         user.add(model, states);
     }
-    // Disabled blocks take no step where they stay disabled, so nobody reads their forces; appendix 2.4 enables all after this.
+    // Blocks that stay disabled take no step, so their forces are never read. Appendix 2.4 enables
+    // all blocks after this.
     let moving = model.blocks.iter().filter(|block| block.active || constants.disabling != Disabling::Rigid);
     for spring in moving.flat_map(|block| &model.springs[block.springs as usize..][..SPRINGS]) {
         let (p1, p2) = (spring.p1 as usize, spring.p2 as usize);
@@ -39,5 +53,5 @@ pub fn compute_forces(model: &Model, constants: &Constants, sources: &Sources, s
         states[p2].force += force; // Eq. 4.2b
         states[p1].force -= force; // Eq. 4.2b
     }
-    friction::add(model, constants, sources, states);
+    friction::add(model, constants, sources.contacts, sources.time, states);
 }

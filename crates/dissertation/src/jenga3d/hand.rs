@@ -1,46 +1,58 @@
-//! The player's hand: both ways of moving a block and the hybrid of them (sections 4.8 and 5.6).
+//! Hand of the player: force, velocity and the hybrid of both (sections 4.8 and 5.6).
 
 use glam::DVec3;
-use serde::{Deserialize, Serialize};
 
 use super::block::CORNERS;
 use super::constants::Constants;
 use super::model::Model;
+use super::options::HandMode;
 use super::particle::State;
 use super::pick::Ray;
 
-/// How the hand moves a block.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
-#[serde(rename_all = "kebab-case")]
-pub enum HandMode {
-    /// By a force in proportion to the distance: right against a tower, and in the air a spring on which the block swings.
-    Force,
-    /// By writing the velocity: smooth in the air, and stronger than any tower.
-    Velocity,
-    /// By force while the block touches anything, by velocity in the air.
-    Hybrid,
-}
-
-/// A hand on a block.
+/// Hand on a block.
+///
+/// ```
+/// use glam::DVec3;
+/// use teeter_dissertation::jenga3d::{Constants, Hand, Jenga3D};
+///
+/// let scene = teeter_scene::named("block").expect("the list has it");
+/// let mut simulator = Jenga3D::new(&scene, Constants::default()).expect("a valid scene");
+/// let target = simulator.centres()[0] + 0.1 * DVec3::Z;
+/// for _ in 0..60 {
+///     simulator.frame(Some(&Hand { block: 0, target }));
+/// }
+/// assert!(simulator.centres()[0].distance(target) < 2e-3);
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Hand {
     /// Index of the block.
     pub block: u32,
-    /// Where its centre is wanted, m.
+    /// Target position of its centre, m.
     pub target: DVec3,
 }
 
-/// A force on a block, N, shared evenly by its particles.
+/// Force on a block, shared equally by its particles.
+///
+/// ```
+/// use glam::DVec3;
+/// use teeter_dissertation::jenga3d::hand::UserForce;
+/// use teeter_dissertation::jenga3d::{Constants, Jenga3D};
+///
+/// let scene = teeter_scene::named("block").expect("the list has it");
+/// let mut block = Jenga3D::new(&scene, Constants::default()).expect("a valid scene");
+/// UserForce { block: 0, force: 8.0 * DVec3::X }.add(&block.model, &mut block.curr);
+/// assert_eq!(block.curr[0].force, DVec3::X);
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct UserForce {
     /// Index of the block.
     pub block: u32,
-    /// The whole force, N.
+    /// Total force, N.
     pub force: DVec3,
 }
 
 impl UserForce {
-    /// Adds it to the particles of its block.
+    /// Adds the force to the particles of its block.
     pub fn add(&self, model: &Model, states: &mut [State]) {
         for p in model.blocks[self.block as usize].corners() {
             states[p].force += self.force / CORNERS as f64;
@@ -49,33 +61,35 @@ impl UserForce {
 }
 
 impl Hand {
-    /// Acts on a block: writes its velocity, or gives the force for the step. `touching` is whether the block touches anything.
+    /// Applies the hand: writes the velocity of its block, or returns the force for the step.
+    /// `touching` is true when the block touches anything.
     pub fn act(&self, model: &Model, constants: &Constants, touching: bool, states: &mut [State]) -> Option<UserForce> {
         let block = &model.blocks[self.block as usize];
-        let way = self.target - block.centre(states);
+        let offset = self.target - block.centre(states);
         let by_force = match constants.hand {
             HandMode::Force => true,
             HandMode::Velocity => false,
             HandMode::Hybrid => touching,
         };
         if by_force {
-            return Some(UserForce { block: self.block, force: constants.hand_stiffness * way });
+            return Some(UserForce { block: self.block, force: constants.hand_stiffness * offset });
         }
         for p in block.corners() {
-            states[p].velocity = constants.hand_rate * way;
+            states[p].velocity = constants.hand_rate * offset;
         }
         None
     }
 }
 
-/// Where the mouse drags a block that is moved in a plane through its centre, parallel to the screen; none where the ray runs along it.
+/// Target of a block dragged in the plane through its centre parallel to the screen, m; `None` for
+/// a ray parallel to that plane.
 pub fn drag_in_plane(ray: &Ray, towards_viewer: DVec3, centre: DVec3) -> Option<DVec3> {
     let along = ray.direction.dot(towards_viewer);
     let t = (centre - ray.origin).dot(towards_viewer) / along;
     t.is_finite().then(|| ray.origin + t * ray.direction)
 }
 
-/// Where the mouse drags a block that is moved along the line of sight, by `pull` (m) towards the viewer.
+/// Target of a block dragged along the line of sight by `pull` (m) towards the viewer, m.
 pub fn drag_in_depth(towards_viewer: DVec3, centre: DVec3, pull: f64) -> DVec3 {
     centre + pull * towards_viewer
 }

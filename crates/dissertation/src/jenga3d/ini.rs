@@ -1,22 +1,61 @@
-//! The constants as an ini file (section 5.5.1): sections in brackets, `name = value`, comments after `;` or `#`.
+//! Constants as an ini file (section 5.5.1): sections in brackets, `name = value`, comments after
+//! `;` or `#`.
 
-use super::collide::{Culling, Order};
 use super::constants::Constants;
-use super::disable::Disabling;
-use super::hand::HandMode;
-use super::integrate::Method;
+use super::options::{Culling, Disabling, HandMode, Method, Order};
 
-/// What is wrong with an ini file.
+/// Error in an ini file. Lines count from 1.
+///
+/// ```
+/// use teeter_dissertation::jenga3d::{Constants, IniError};
+///
+/// let error = Constants::from_ini("[Spring]").unwrap_err();
+/// assert_eq!(error, IniError::UnknownSection { line: 1, section: "Spring".into() });
+/// assert_eq!(error.to_string(), "line 1: there is no section [Spring]");
+/// ```
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
-#[error("line {line}: {message}")]
-pub struct IniError {
-    /// Line, from 1.
-    pub line: usize,
-    /// What was found and what was expected.
-    pub message: String,
+pub enum IniError {
+    /// Section that the file format does not have.
+    #[error("line {line}: there is no section [{section}]")]
+    UnknownSection {
+        /// Line.
+        line: usize,
+        /// Name of the section.
+        section: String,
+    },
+    /// Constant that the section does not have.
+    #[error("line {line}: there is no `{name}` in section [{section}]")]
+    UnknownName {
+        /// Line.
+        line: usize,
+        /// Name of the section.
+        section: String,
+        /// Name of the constant.
+        name: String,
+    },
+    /// Value that does not parse.
+    #[error("line {line}: `{name}` is `{value}`, expected {expected}")]
+    InvalidValue {
+        /// Line.
+        line: usize,
+        /// Name of the constant.
+        name: String,
+        /// Text of the value.
+        value: String,
+        /// Values expected.
+        expected: &'static str,
+    },
+    /// Line that is neither a section nor a constant.
+    #[error("line {line}: `{text}`, expected `name = value` or `[Section]`")]
+    Syntax {
+        /// Line.
+        line: usize,
+        /// Text of the line.
+        text: String,
+    },
 }
 
-/// A constant in an ini file: its section and name, how it is read and how it is written.
+/// Constant in an ini file.
 struct Entry {
     section: &'static str,
     name: &'static str,
@@ -117,42 +156,41 @@ const ENTRIES: &[Entry] = &[
 ];
 
 impl Constants {
-    /// The usual constants with those of an ini file in their places.
+    /// Parses an ini file; constants that it does not set have their defaults.
     ///
     /// # Errors
-    /// Naming the line: a section or name that there is not, a value that cannot be read, or a line that is none of these. Whether values
-    /// make sense together is for the simulator to say.
+    /// Names the line of an unknown section or name, a value that does not parse, or another
+    /// syntax. Ranges are checked by [`Jenga3D::new`](super::simulator::Jenga3D::new).
     pub fn from_ini(text: &str) -> Result<Self, IniError> {
         let mut constants = Self::default();
         let mut section: &str = "";
         for (n, whole) in text.lines().enumerate() {
-            let wrong = |message: String| IniError { line: n + 1, message };
-            let line = whole.split([';', '#']).next().unwrap_or_default().trim();
-            if line.is_empty() {
+            let (line, text) = (n + 1, whole.split([';', '#']).next().unwrap_or_default().trim());
+            if text.is_empty() {
                 continue;
             }
-            if let Some(name) = line.strip_prefix('[').and_then(|rest| rest.strip_suffix(']')) {
+            if let Some(name) = text.strip_prefix('[').and_then(|rest| rest.strip_suffix(']')) {
                 section = name.trim();
                 if ENTRIES.iter().all(|e| e.section != section) {
-                    return Err(wrong(format!("there is no section [{section}]")));
+                    return Err(IniError::UnknownSection { line, section: section.to_owned() });
                 }
                 continue;
             }
-            let (name, value) = line
-                .split_once('=')
-                .ok_or_else(|| wrong(format!("`{line}`, expected `name = value` or `[Section]`")))?;
-            let (name, value) = (name.trim(), value.trim());
-            let entry = ENTRIES
-                .iter()
-                .find(|e| e.section == section && e.name == name)
-                .ok_or_else(|| wrong(format!("there is no `{name}` in section [{section}]")))?;
-            (entry.read)(&mut constants, value)
-                .ok_or_else(|| wrong(format!("`{name}` is `{value}`, expected {}", entry.expected)))?;
+            let Some((name, value)) = text.split_once('=') else {
+                return Err(IniError::Syntax { line, text: text.to_owned() });
+            };
+            let (name, value) = (name.trim().to_owned(), value.trim().to_owned());
+            let Some(entry) = ENTRIES.iter().find(|e| e.section == section && e.name == name) else {
+                return Err(IniError::UnknownName { line, section: section.to_owned(), name });
+            };
+            if (entry.read)(&mut constants, &value).is_none() {
+                return Err(IniError::InvalidValue { line, name, value, expected: entry.expected });
+            }
         }
         Ok(constants)
     }
 
-    /// All constants as an ini file.
+    /// Formats all constants as an ini file.
     pub fn to_ini(&self) -> String {
         let mut text = String::new();
         let mut section = "";

@@ -1,105 +1,125 @@
-//! Stepping forward in time (section 4.3.2), over lists of states.
+//! Integration over lists of states (section 4.3.2).
 //!
-//! Every integrator asks for forces through `forces`, which must write the force of each state from the positions and velocities of the
-//! list that it is given.
+//! Every method computes forces through `forces`, which writes the force of each state of a list
+//! from the positions and velocities of that list.
 
+use super::options::Method;
 use super::particle::{Particle, State, StateList};
 
-/// How the states are stepped forward.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, serde::Serialize, serde::Deserialize)]
-#[serde(rename_all = "lowercase")]
-pub enum Method {
-    /// Euler's method, once over the whole time.
-    Euler,
-    /// Euler's method several times over, the one that the simulator uses (section 5.5.2).
-    Multi,
-    /// The midpoint method.
-    Midpoint,
-    /// Runge-Kutta of the fourth order.
-    Rk4,
+/// Scheme of one integration.
+///
+/// ```
+/// use teeter_dissertation::jenga3d::Constants;
+///
+/// let constants = Constants { iterations_per_frame: 4, ..Constants::default() };
+/// assert_eq!(constants.scheme().steps, 4);
+/// ```
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Scheme {
+    /// Method.
+    pub method: Method,
+    /// Number of steps of [`Method::Multi`].
+    pub steps: u32,
+    /// Time, s.
+    pub time: f64,
 }
 
-impl Method {
-    /// All of them.
-    pub const ALL: [Method; 4] = [Method::Euler, Method::Multi, Method::Midpoint, Method::Rk4];
+/// Integrator with storage for intermediate states, so that a step allocates nothing.
+///
+/// ```
+/// use glam::DVec3;
+/// use teeter_dissertation::jenga3d::Method;
+/// use teeter_dissertation::jenga3d::integrate::{Integrator, Scheme};
+/// use teeter_dissertation::jenga3d::particle::{Particle, State};
+///
+/// let mut integrator = Integrator::new(Scheme { method: Method::Euler, steps: 1, time: 0.5 });
+/// let (mut curr, mut next) = (vec![State::default()], vec![State::default()]);
+/// let gravity = |states: &mut [State]| states[0].force = -10.0 * DVec3::Z;
+/// integrator.integrate(&[Particle { mass: 1.0, block: 0 }], &mut curr, &mut next, gravity);
+/// assert_eq!(next[0].velocity.z, -5.0);
+/// ```
+#[derive(Debug, Clone)]
+pub struct Integrator {
+    /// Scheme of the next integration.
+    pub scheme: Scheme,
+    intermediate: [StateList; 3],
+}
 
-    /// Its name in an ini file.
-    pub fn name(self) -> &'static str {
-        match self {
-            Method::Euler => "euler",
-            Method::Multi => "multi",
-            Method::Midpoint => "midpoint",
-            Method::Rk4 => "rk4",
+impl Integrator {
+    /// Creates an integrator.
+    pub fn new(scheme: Scheme) -> Self {
+        Self { scheme, intermediate: Default::default() }
+    }
+
+    /// Integrates from `curr` to `next`, and writes the forces of `curr`.
+    pub fn integrate(
+        &mut self,
+        particles: &[Particle],
+        curr: &mut StateList,
+        next: &mut StateList,
+        mut forces: impl FnMut(&mut [State]),
+    ) {
+        let Scheme { method, steps, time } = self.scheme;
+        match method {
+            Method::Euler => {
+                forces(curr);
+                euler(particles, curr, curr, next, time);
+            }
+            Method::Multi => {
+                // Appendix 2.1.
+                let time = time / f64::from(steps);
+                forces(curr);
+                euler(particles, curr, curr, next, time);
+                for _ in 1..steps {
+                    forces(next);
+                    euler_in_place(particles, next, time);
+                }
+            }
+            Method::Midpoint => {
+                // Figure 4.12 with its lists corrected: forces of the states where they are
+                // evaluated, positions by the velocity at the midpoint.
+                let [temp, ..] = &mut self.intermediate;
+                temp.clone_from(curr);
+                forces(curr);
+                slope_step(particles, curr, curr, temp, 0.5 * time);
+                forces(temp);
+                next.clone_from(curr);
+                slope_step(particles, curr, temp, next, time);
+            }
+            Method::Rk4 => self.runge_kutta(particles, curr, next, forces),
+        }
+    }
+
+    fn runge_kutta(
+        &mut self,
+        particles: &[Particle],
+        curr: &mut StateList,
+        next: &mut StateList,
+        mut forces: impl FnMut(&mut [State]),
+    ) {
+        let time = self.scheme.time;
+        let [k2, k3, k4] = &mut self.intermediate;
+        for list in [&mut *k2, &mut *k3, &mut *k4, &mut *next] {
+            list.clone_from(curr);
+        }
+        forces(curr);
+        slope_step(particles, curr, curr, k2, 0.5 * time);
+        forces(k2);
+        slope_step(particles, curr, k2, k3, 0.5 * time);
+        forces(k3);
+        slope_step(particles, curr, k3, k4, time);
+        forces(k4);
+        for (i, end) in next.iter_mut().enumerate() {
+            let velocity = (curr[i].velocity + 2.0 * (k2[i].velocity + k3[i].velocity) + k4[i].velocity) / 6.0;
+            let force = (curr[i].force + 2.0 * (k2[i].force + k3[i].force) + k4[i].force) / 6.0;
+            end.velocity = curr[i].velocity + force / particles[i].mass * time;
+            end.position = curr[i].position + velocity * time;
         }
     }
 }
 
-/// Room for the states between, so that a step allocates nothing.
-#[derive(Debug, Clone, Default)]
-pub struct Between {
-    lists: [StateList; 3],
-}
-
-/// Steps from `curr` to `next` over `time` (s). The forces of `curr` are written; `steps` is read by [`Method::Multi`] only.
-#[allow(clippy::too_many_arguments)]
-pub fn integrate(
-    method: Method,
-    steps: u32,
-    time: f64,
-    particles: &[Particle],
-    curr: &mut StateList,
-    next: &mut StateList,
-    between: &mut Between,
-    mut forces: impl FnMut(&mut [State]),
-) {
-    match method {
-        Method::Euler => {
-            forces(curr);
-            euler(particles, curr, curr, next, time);
-        }
-        Method::Multi => {
-            // Appendix 2.1.
-            let time = time / f64::from(steps);
-            forces(curr);
-            euler(particles, curr, curr, next, time);
-            for _ in 1..steps {
-                forces(next);
-                euler_on(particles, next, time);
-            }
-        }
-        Method::Midpoint => {
-            // Figure 4.12 with the lists in their places: forces of the states where they are taken, positions by the velocity halfway.
-            let [temp, ..] = &mut between.lists;
-            temp.clone_from(curr);
-            forces(curr);
-            slope_step(particles, curr, curr, temp, 0.5 * time);
-            forces(temp);
-            next.clone_from(curr);
-            slope_step(particles, curr, temp, next, time);
-        }
-        Method::Rk4 => {
-            let [k2, k3, k4] = &mut between.lists;
-            for list in [&mut *k2, &mut *k3, &mut *k4, &mut *next] {
-                list.clone_from(curr);
-            }
-            forces(curr);
-            slope_step(particles, curr, curr, k2, 0.5 * time);
-            forces(k2);
-            slope_step(particles, curr, k2, k3, 0.5 * time);
-            forces(k3);
-            slope_step(particles, curr, k3, k4, time);
-            forces(k4);
-            for (i, end) in next.iter_mut().enumerate() {
-                let velocity = (curr[i].velocity + 2.0 * (k2[i].velocity + k3[i].velocity) + k4[i].velocity) / 6.0;
-                let force = (curr[i].force + 2.0 * (k2[i].force + k3[i].force) + k4[i].force) / 6.0;
-                end.velocity = curr[i].velocity + force / particles[i].mass * time;
-                end.position = curr[i].position + velocity * time;
-            }
-        }
-    }
-}
-
-/// From `initial` with the forces of `source` to `dest` over `time` (Eq. 4.5): the position moves with the new velocity.
+/// Steps from `initial` with the forces of `source` to `dest` over `time`, s (Eq. 4.5): the
+/// position moves with the new velocity.
 pub fn euler(particles: &[Particle], initial: &[State], source: &[State], dest: &mut StateList, time: f64) {
     dest.resize(initial.len(), State::default());
     for (i, end) in dest.iter_mut().enumerate() {
@@ -108,15 +128,16 @@ pub fn euler(particles: &[Particle], initial: &[State], source: &[State], dest: 
     }
 }
 
-/// [`euler`] with one list in all three places.
-fn euler_on(particles: &[Particle], list: &mut StateList, time: f64) {
+/// Euler step of one list in place.
+fn euler_in_place(particles: &[Particle], list: &mut StateList, time: f64) {
     for (state, particle) in list.iter_mut().zip(particles) {
         state.velocity += state.force / particle.mass * time; // Eq. 4.4
         state.position += state.velocity * time; // Eq. 4.4
     }
 }
 
-/// From `initial` along the slope at `source`, position included (Eq. 2.4): what methods of higher order are made of.
+/// Steps from `initial` to `dest` along the slope at `source`, including that of the position (Eq.
+/// 2.4). Methods of higher order consist of such steps.
 fn slope_step(particles: &[Particle], initial: &[State], source: &[State], dest: &mut StateList, time: f64) {
     for (i, end) in dest.iter_mut().enumerate() {
         end.velocity = initial[i].velocity + source[i].force / particles[i].mass * time;

@@ -1,92 +1,123 @@
-//! `JengaMain`: the simulator with its main loop (section 5.2).
+//! Simulator with its main loop, `JengaMain` (section 5.2).
 
 use teeter_scene::{Scene, SceneError};
 
-use super::block::create_block;
-use super::collide::{Collider, Field};
+use super::collide::Collider;
 use super::constants::Constants;
 use super::contact::{Contact, FLOOR};
 use super::counters::{Counters, StepCounts};
-use super::disable::{self, Disabling, Watch};
+use super::create::create_block;
+use super::disable::{self, Activity, RestDetector};
+use super::field::Field;
 use super::floor;
 use super::forces::{Sources, compute_forces};
 use super::hand::{Hand, UserForce};
-use super::integrate::{Between, integrate};
+use super::integrate::Integrator;
 use super::model::Model;
+use super::options::Disabling;
 use super::particle::StateList;
 
-/// Why there is no simulator.
+/// Error of building a simulator.
+///
+/// ```
+/// use teeter_dissertation::jenga3d::{BuildError, Constants, Jenga3D};
+///
+/// let scene = teeter_scene::named("block").expect("the list has it");
+/// let error = Jenga3D::new(&scene, Constants { stiffness: -1.0, ..Constants::default() }).unwrap_err();
+/// assert!(matches!(error, BuildError::Constant { field: "stiffness", .. }));
+/// ```
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 pub enum BuildError {
-    /// The scene is not one that can be simulated.
+    /// Invalid scene.
     #[error(transparent)]
     Scene(#[from] SceneError),
-    /// A constant is out of its range.
+    /// Constant out of its range.
     #[error("`{field}` is {value}, expected {expected}")]
     Constant {
-        /// Which one.
+        /// Name of the constant.
         field: &'static str,
-        /// What it was.
+        /// Value found.
         value: f64,
-        /// What it should be.
+        /// Range expected.
         expected: &'static str,
     },
 }
 
-/// What a frame did.
+/// Report of a frame.
+///
+/// ```
+/// use teeter_dissertation::jenga3d::{Constants, Jenga3D};
+///
+/// let scene = teeter_scene::named("test-6").expect("the list has it");
+/// let mut simulator = Jenga3D::new(&scene, Constants::default()).expect("a valid scene");
+/// assert_eq!(simulator.frame(None).unresolved, 0);
+/// ```
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
 pub struct FrameReport {
-    /// Tests of its last step.
+    /// Counters of the last step.
     pub last: StepCounts,
-    /// Tests of all its steps.
+    /// Counters of all steps.
     pub tests: Counters,
-    /// Most rounds that any call of `CollideBlocks` took.
-    pub most_sweeps: u32,
-    /// Rounds of all calls.
+    /// Maximum number of rounds in a call of `CollideBlocks`.
+    pub max_sweeps: u32,
+    /// Number of rounds in all calls.
     pub sweeps: u64,
-    /// Calls that ended with collisions left.
+    /// Number of calls that ended with collisions left.
     pub unresolved: u32,
 }
 
-/// The 3-D simulator.
+/// Three-dimensional simulator.
+///
+/// ```
+/// use teeter_dissertation::jenga3d::{Constants, Jenga3D};
+///
+/// let scene = teeter_scene::named("test-1").expect("the list has it");
+/// let mut simulator = Jenga3D::new(&scene, Constants::default()).expect("a valid scene");
+/// let start = simulator.centres();
+/// for _ in 0..30 {
+///     simulator.frame(None);
+/// }
+/// assert!(simulator.centres().iter().zip(&start).all(|(now, was)| now.distance(*was) < 2e-3));
+/// ```
 #[derive(Debug, Clone)]
 pub struct Jenga3D {
-    /// The constants; they may be changed between frames.
+    /// Constants, which may change between frames.
     pub constants: Constants,
-    /// The blocks and their parts.
+    /// Blocks and their parts.
     pub model: Model,
-    /// The last valid states.
+    /// Last valid states.
     pub curr: StateList,
-    /// The states that are being made valid.
+    /// States to be made valid.
     pub next: StateList,
-    /// Contacts of the last step.
+    /// Contacts of the previous step.
     pub contacts: Vec<Contact>,
     /// Simulated time, s.
     pub time: f64,
-    between: Between,
+    integrator: Integrator,
     collider: Collider,
-    watch: Watch,
-    /// Steps since each block was last in a collision.
-    untouched: Vec<u32>,
+    rest: RestDetector,
+    /// Number of steps since the last collision of each block.
+    steps_since_contact: Vec<u32>,
 }
 
 impl Jenga3D {
-    /// The blocks of a scene, each row raised over the one below by the constants' spacing. Friction and gravity are the constants', not
-    /// the scene's.
+    /// Creates the blocks of a scene, each row raised over the one below by the spacing of the
+    /// constants. Friction and gravity are those of the constants, not of the scene.
     ///
     /// # Errors
-    /// When the scene is not valid, naming the block and field, or a constant is out of its range.
+    /// Names the invalid block and field of a scene, or the constant out of its range.
     pub fn new(scene: &Scene, constants: Constants) -> Result<Self, BuildError> {
         scene.validate()?;
-        check(&constants)?;
+        validate(&constants)?;
         let (mut model, mut curr) = (Model::default(), StateList::new());
         for block in &scene.blocks {
             let row = ((block.pos[2] - 0.5 * block.size[2]) / block.size[2]).round();
             create_block(&mut model, &mut curr, block, constants.row_spacing * (1.0 + row), &constants);
         }
-        let watch = Watch::new(&model, &curr);
-        let untouched = vec![u32::MAX; model.blocks.len()];
+        let rest = RestDetector::new(&model, &curr);
+        let steps_since_contact = vec![u32::MAX; model.blocks.len()];
         let next = curr.clone();
+        let integrator = Integrator::new(constants.scheme());
         Ok(Self {
             constants,
             model,
@@ -94,19 +125,19 @@ impl Jenga3D {
             next,
             contacts: Vec::new(),
             time: 0.0,
-            between: Between::default(),
+            integrator,
             collider: Collider::default(),
-            watch,
-            untouched,
+            rest,
+            steps_since_contact,
         })
     }
 
-    /// One frame: `Loop` of Figure 5.2.
+    /// Advances by one frame: `Loop` of Figure 5.2.
     pub fn frame(&mut self, hand: Option<&Hand>) -> FrameReport {
         let mut report = FrameReport::default();
         for _ in 0..self.constants.mid_loop_count {
             let counts = self.step(hand);
-            report.most_sweeps = report.most_sweeps.max(counts.sweeps);
+            report.max_sweeps = report.max_sweeps.max(counts.sweeps);
             report.sweeps += u64::from(counts.sweeps);
             report.unresolved += counts.unresolved;
             report.tests += counts.all;
@@ -115,10 +146,10 @@ impl Jenga3D {
         report
     }
 
-    /// One round of integrating, colliding and accepting.
+    /// Advances by one step: integrates, resolves collisions and accepts the next states.
     pub fn step(&mut self, hand: Option<&Hand>) -> StepCounts {
         let user = hand.and_then(|hand| {
-            let touching = self.untouched[hand.block as usize] <= self.constants.contact_memory;
+            let touching = self.steps_since_contact[hand.block as usize] <= self.constants.contact_memory;
             self.model.blocks[hand.block as usize].active = true;
             hand.act(&self.model, &self.constants, touching, &mut self.curr)
         });
@@ -129,21 +160,13 @@ impl Jenga3D {
         counts
     }
 
-    /// From `curr` to `next` (appendix 2.1).
+    /// Integrates from `curr` to `next` (appendix 2.1).
     fn integrate(&mut self, user: Option<UserForce>) {
-        let Self { constants, model, curr, next, contacts, between, .. } = self;
+        let Self { constants, model, curr, next, contacts, integrator, .. } = self;
         let sources = Sources { user, contacts, time: constants.force_step() };
         let forces = |states: &mut [_]| compute_forces(model, constants, &sources, states);
-        integrate(
-            constants.method,
-            constants.iterations_per_frame,
-            constants.step(),
-            &model.particles,
-            curr,
-            next,
-            between,
-            forces,
-        );
+        integrator.scheme = constants.scheme();
+        integrator.integrate(&model.particles, curr, next, forces);
         if constants.disabling == Disabling::Rigid {
             for block in model.blocks.iter().filter(|b| !b.active) {
                 next[block.corners()].copy_from_slice(&curr[block.corners()]);
@@ -151,7 +174,7 @@ impl Jenga3D {
         }
     }
 
-    /// Makes `next` valid (appendix 2.4).
+    /// Resolves the collisions of `next` (appendix 2.4).
     fn collision_phase(&mut self, held: Option<u32>) -> StepCounts {
         let mut counts = StepCounts::default();
         self.contacts.clear(); // ClearFrictionList
@@ -166,7 +189,7 @@ impl Jenga3D {
                 disable::disable_motionless(&mut self.model, &self.constants, held, &self.curr, &mut self.next);
             for n in disabled {
                 let corners = self.model.blocks[n].corners();
-                self.collider.touch(n, &self.curr[corners.clone()], &self.next[corners]);
+                self.collider.update_block(n, &self.curr[corners.clone()], &self.next[corners]);
             }
         }
         self.collide_blocks(&mut counts);
@@ -188,7 +211,8 @@ impl Jenga3D {
             }
             if let Some(contact) = floor::contact(p as u32, block, &field.next[p]) {
                 field.respond(contact);
-                // What other blocks have pushed below the floor in the last step has no way back along its own.
+                // A particle that another block pushed below the floor has no displacement of its
+                // own to reverse.
                 let height = &mut field.next[p].position.z;
                 *height = height.max(0.0);
             }
@@ -203,33 +227,34 @@ impl Jenga3D {
 
     fn accept_next_state(&mut self, held: Option<u32>) {
         std::mem::swap(&mut self.curr, &mut self.next);
-        for n in &mut self.untouched {
-            *n = n.saturating_add(1);
+        for steps in &mut self.steps_since_contact {
+            *steps = steps.saturating_add(1);
         }
         for contact in &self.contacts {
             for block in contact.blocks {
                 if block != FLOOR {
-                    self.untouched[block as usize] = 0;
+                    self.steps_since_contact[block as usize] = 0;
                 }
             }
         }
         if self.constants.disabling == Disabling::Rigid {
-            let between: Vec<[u32; 2]> = self.contacts.iter().map(|c| c.blocks).filter(|b| b[1] != FLOOR).collect();
-            self.watch.update(&mut self.model, &self.constants, held, &between, &mut self.curr);
+            let pairs: Vec<[u32; 2]> = self.contacts.iter().map(|c| c.blocks).filter(|b| b[1] != FLOOR).collect();
+            let activity = Activity { held, neighbours: &pairs };
+            self.rest.update(&mut self.model, &self.constants, activity, &mut self.curr);
         }
     }
 
-    /// Gives all particles of a block a velocity, m/s, and enables it: how an experiment starts.
+    /// Sets the velocity (m/s) of all particles of a block and enables it.
     pub fn throw(&mut self, block: usize, velocity: glam::DVec3) {
         let corners = self.model.blocks[block].corners();
         for state in &mut self.curr[corners] {
             state.velocity = velocity;
         }
         self.model.blocks[block].active = true;
-        self.watch.wake(block);
+        self.rest.wake(block);
     }
 
-    /// Centres of the blocks, m.
+    /// Positions of the centres of the blocks, m.
     pub fn centres(&self) -> Vec<glam::DVec3> {
         self.model.blocks.iter().map(|b| b.centre(&self.curr)).collect()
     }
@@ -240,8 +265,8 @@ impl Jenga3D {
     }
 }
 
-/// Constants that a step could not be computed with are refused.
-fn check(c: &Constants) -> Result<(), BuildError> {
+/// Rejects constants that a step cannot be computed with.
+fn validate(c: &Constants) -> Result<(), BuildError> {
     let rules: [(&'static str, f64, bool, &'static str); 9] = [
         ("frame_rate", c.frame_rate, c.frame_rate > 0.0 && c.frame_rate.is_finite(), "a number above 0"),
         ("mid_loop_count", f64::from(c.mid_loop_count), c.mid_loop_count > 0, "at least 1"),
@@ -253,7 +278,7 @@ fn check(c: &Constants) -> Result<(), BuildError> {
         ("friction", c.friction, c.friction >= 0.0 && c.friction.is_finite(), "a number of at least 0"),
         ("row_spacing", c.row_spacing, c.row_spacing >= 0.0 && c.row_spacing.is_finite(), "a number of at least 0"),
     ];
-    match rules.into_iter().find(|(_, _, holds, _)| !holds) {
+    match rules.into_iter().find(|(_, _, valid, _)| !valid) {
         Some((field, value, _, expected)) => Err(BuildError::Constant { field, value, expected }),
         None => Ok(()),
     }

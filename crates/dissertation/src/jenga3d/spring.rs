@@ -1,31 +1,43 @@
-//! Springs: pairs of particles that want to be a certain distance apart (sections 4.1.1 and 4.2.2).
+//! Springs between pairs of particles (sections 4.1.1 and 4.2.2).
 
 use glam::DVec3;
 
 use super::particle::State;
 
-/// A damped spring between two particles.
+/// Damped spring between two particles.
+///
+/// ```
+/// use glam::DVec3;
+/// use teeter_dissertation::jenga3d::particle::State;
+/// use teeter_dissertation::jenga3d::spring::Spring;
+///
+/// let spring = Spring { p1: 0, p2: 1, rest_length: 1.0, stiffness: 10.0, damping: 0.0, edge: true };
+/// let (a, b) = (State::default(), State { position: 1.5 * DVec3::X, ..State::default() });
+/// assert_eq!(spring.force(&a, &b), -5.0 * DVec3::X); // pulls b back
+/// assert_eq!(spring.energy(&a, &b), 1.25);
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Spring {
-    /// Index of one particle.
+    /// Index of the first particle.
     pub p1: u32,
-    /// Index of the other.
+    /// Index of the second particle.
     pub p2: u32,
-    /// Length without force, m.
+    /// Rest length, m.
     pub rest_length: f64,
-    /// Force per stretch, N/m.
+    /// Stiffness, N/m.
     pub stiffness: f64,
-    /// Force per rate of stretch, N s/m.
+    /// Damping, N s/m.
     pub damping: f64,
-    /// Whether it is one of the twelve edges of its block (section 4.2.3).
+    /// True for the twelve edges of a block (section 4.2.3).
     pub edge: bool,
 }
 
 impl Spring {
-    /// The force on `p2`, N; that on `p1` is its opposite. None for a spring of no length, which has no direction.
+    /// Force on `p2`, N; the force on `p1` is its opposite. A spring of length zero has no
+    /// direction and no force.
     ///
-    /// The stiffness has a minus here: with the signs of Eq. 4.1 and 4.2b as printed, a stretched spring would stretch further, while the
-    /// damping of Eq. 4.3a is right as it is.
+    /// The stiffness has a minus here. With the printed signs of Eq. 4.1 and 4.2b a stretched
+    /// spring would stretch further; the damping of Eq. 4.3a is right as printed.
     pub fn force(&self, p1: &State, p2: &State) -> DVec3 {
         let apart = p2.position - p1.position; // Eq. 4.3b
         let closing = p2.velocity - p1.velocity; // Eq. 4.3b
@@ -38,14 +50,14 @@ impl Spring {
         apart * ((pull + drag) / length) // Eq. 4.2a
     }
 
-    /// Its length among the states of all particles, m.
+    /// Length in the states of all particles, m.
     pub fn length(&self, states: &[State]) -> f64 {
         states[self.p1 as usize].position.distance(states[self.p2 as usize].position)
     }
 
-    /// Energy stored, J.
+    /// Potential energy, J.
     pub fn energy(&self, p1: &State, p2: &State) -> f64 {
-        let stretch = p1.position.distance(p2.position) - self.rest_length;
-        0.5 * self.stiffness * stretch * stretch
+        let elongation = p1.position.distance(p2.position) - self.rest_length;
+        0.5 * self.stiffness * elongation * elongation
     }
 }

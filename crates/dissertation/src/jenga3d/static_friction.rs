@@ -1,30 +1,41 @@
 //! Static friction, which the dissertation leaves for later (section 6.3).
 //!
-//! A contact here is a row of blows, so its friction is a part of each blow: across the normal it stops the contact point if static friction
-//! allows (Eq. 2.17), and otherwise brakes it by kinetic friction (Eq. 2.18). What came aside in the step goes back in the same share, as
-//! what came near does along the normal. There is no force between the blows, and no balance of forces to be found.
+//! A contact is a sequence of collisions, so friction is a part of each impulse. Tangentially it
+//! stops the contact point if static friction suffices (Eq. 2.17), and otherwise slows it by
+//! kinetic friction (Eq. 2.18). The tangential displacement of the step is reduced in the same
+//! ratio, as the normal one is.
 
 use glam::DVec3;
 
-/// Coefficients of friction of a blow.
+/// Coefficients of friction of a collision.
+///
+/// ```
+/// use glam::DVec3;
+/// use teeter_dissertation::jenga3d::static_friction::Coefficients;
+///
+/// let friction = Coefficients { static_friction: 0.5, kinetic_friction: 0.25 };
+/// assert_eq!(friction.impulse(DVec3::X, 4.0, 1.0), -DVec3::X); // sticks
+/// assert_eq!(friction.impulse(4.0 * DVec3::X, 4.0, 1.0), -DVec3::X); // slips
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Coefficients {
-    /// Static.
-    pub at_rest: f64,
-    /// Kinetic; no more than the static one counts.
-    pub sliding: f64,
+    /// Coefficient of static friction.
+    pub static_friction: f64,
+    /// Coefficient of kinetic friction, limited by the static one.
+    pub kinetic_friction: f64,
 }
 
 impl Coefficients {
-    /// The impulse across the normal, N s, for a velocity across (m/s), of a blow of `along` (N s) on a point of that inverse mass (1/kg).
-    /// The same law takes ways in place of velocities, and then gives a way times a mass.
+    /// Tangential impulse, N s, for the tangential velocity `across` (m/s) and the normal impulse
+    /// `along` (N s) at a contact point of this inverse mass (1/kg). Displacements (m) in place of
+    /// velocities give displacements times a mass, kg m.
     pub fn impulse(&self, across: DVec3, along: f64, inverse_mass: f64) -> DVec3 {
         let needed = -across / inverse_mass;
         let size = needed.length();
-        if size <= self.at_rest * along {
+        if size <= self.static_friction * along {
             needed // Eq. 2.17
         } else {
-            needed * (self.sliding.min(self.at_rest) * along / size) // Eq. 2.18
+            needed * (self.kinetic_friction.min(self.static_friction) * along / size) // Eq. 2.18
         }
     }
 }
