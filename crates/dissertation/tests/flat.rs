@@ -155,7 +155,7 @@ proptest! {
     #[test]
     fn axes_and_points_agree(x in -2.5..2.5f64, y in -2.5..2.5f64, turn in 0.0..3.2f64) {
         let (a, b) = (square(DVec2::ZERO, 0.3), square(DVec2::new(x, y), turn));
-        let (_, gap) = axes::widest(&a, &b);
+        let (_, gap) = axes::max_separation(&a, &b);
         let inside = |body: &Body, p: DVec2| {
             let [u, v] = body.axes();
             (p - body.centre).dot(u).abs() <= body.half.x && (p - body.centre).dot(v).abs() <= body.half.y
@@ -173,9 +173,9 @@ proptest! {
     fn moving_axes(x in -4.0..4.0f64, y in -4.0..4.0f64, turn in 0.0..3.2f64, way in [-5.0..5.0, -5.0..5.0f64]) {
         let (a, b) = (square(DVec2::ZERO, 0.3), square(DVec2::new(x, y), turn));
         let way = DVec2::from(way);
-        prop_assume!(axes::widest(&a, &b).1 > 0.01);
-        let at = |t: f64| axes::widest(&a, &Body { centre: b.centre + t * way, ..b }).1;
-        let found = Tester::new(false).first_overlap(&a, &b, DVec2::ZERO, way, 0.0);
+        prop_assume!(axes::max_separation(&a, &b).1 > 0.01);
+        let at = |t: f64| axes::max_separation(&a, &Body { centre: b.centre + t * way, ..b }).1;
+        let found = Tester::new(false).first_overlap(&a, &b, way, 0.0);
         let sampled = (0..=500).map(|k| f64::from(k) / 500.0).find(|&t| at(t) < -1e-9);
         match (found, sampled) {
             (Some(t), sampled) => {
@@ -209,9 +209,9 @@ fn witnesses_save_axes() {
 #[test]
 fn moving_axes_miss_a_turn() {
     let (still, upright) = (square(DVec2::ZERO, 0.0), square(DVec2::new(1.6, 0.0), std::f64::consts::FRAC_PI_2));
-    assert!(axes::widest(&still, &upright).1 > 0.0);
-    assert_eq!(Tester::new(false).first_overlap(&still, &upright, DVec2::ZERO, DVec2::ZERO, 0.0), None);
-    assert!(axes::widest(&still, &square(DVec2::new(1.6, 0.0), 0.0)).1 < 0.0);
+    assert!(axes::max_separation(&still, &upright).1 > 0.0);
+    assert_eq!(Tester::new(false).first_overlap(&still, &upright, DVec2::ZERO, 0.0), None);
+    assert!(axes::max_separation(&still, &square(DVec2::new(1.6, 0.0), 0.0)).1 < 0.0);
 }
 
 /// Impulses conserve momentum and never add energy, whatever the restitution.

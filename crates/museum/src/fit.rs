@@ -1,17 +1,20 @@
-//! The pose of a block of eight particles: the rigid motion that brings its corners nearest to them.
+//! Rigid pose of a block of eight particles by least squares.
 
 use glam::{DMat3, DQuat, DVec3};
 
-/// Particles of a block.
+/// Number of particles of a block.
 const CORNERS: usize = 8;
-/// Rounds of Jacobi's method at most; it converges quadratically, and five are enough for a matrix of four rows.
+/// Maximum number of sweeps of Jacobi's method. It converges quadratically; five suffice for four
+/// rows.
 const ROUNDS: usize = 12;
 
-/// Centre (m) and turn for which Σ |at_i - centre - turn r_i|² is least, where r_i is the corner of a box with edges 2 `half` (m); bits 0, 1
-/// and 2 of i say on which side it is.
+/// Returns the position (m) and orientation q of the box that minimise Σ |at_i - position - q
+/// r_i|².
 ///
-/// The centre is the mean; the turn is the eigenvector of the greatest eigenvalue of a symmetric matrix of four rows (Horn, Closed-form
-/// solution of absolute orientation using unit quaternions, 1987). It is a rotation even where the particles are inside out.
+/// r_i is a corner of the box with edges 2 `half` (m); bits 0, 1 and 2 of i are its sides. The
+/// position is the mean, and q the eigenvector of the largest eigenvalue of a symmetric matrix of
+/// four rows (Horn, Closed-form solution of absolute orientation using unit quaternions, 1987). q
+/// is a rotation even for mirrored particles.
 pub fn pose(at: &[DVec3; CORNERS], half: DVec3) -> (DVec3, DQuat) {
     let centre = at.iter().sum::<DVec3>() / CORNERS as f64;
     let mut s = DMat3::ZERO; // Σ (at_i - centre) r_i^T
@@ -19,19 +22,20 @@ pub fn pose(at: &[DVec3; CORNERS], half: DVec3) -> (DVec3, DQuat) {
         let r = corner(i, half);
         s += DMat3::from_cols((*p - centre) * r.x, (*p - centre) * r.y, (*p - centre) * r.z);
     }
-    (centre, turn(s))
+    (centre, rotation(s))
 }
 
-/// Corner `i` of a box about the origin.
+/// Corner `i` of a box about the origin, m.
 pub fn corner(i: usize, half: DVec3) -> DVec3 {
     let side = |axis: usize| if i >> axis & 1 == 1 { 1.0 } else { -1.0 };
     half * DVec3::new(side(0), side(1), side(2))
 }
 
-/// The rotation R for which the trace of Rᵀ S is greatest.
-fn turn(s: DMat3) -> DQuat {
+/// Returns the rotation R that maximises the trace of Rᵀ S.
+fn rotation(s: DMat3) -> DQuat {
     let [x, y, z] = [s.x_axis, s.y_axis, s.z_axis];
-    // Horn's N, for q = (w, x, y, z): qᵀ N q is the trace of Rᵀ S. His S_ab is the sum of r_a p_b, here column a, row b.
+    // Horn's N, for q = (w, x, y, z): qᵀ N q is the trace of Rᵀ S. His S_ab is the sum of r_a p_b,
+    // here column a, row b.
     let mut n = [
         [x.x + y.y + z.z, y.z - z.y, z.x - x.z, x.y - y.x],
         [y.z - z.y, x.x - y.y - z.z, x.y + y.x, z.x + x.z],
@@ -44,13 +48,13 @@ fn turn(s: DMat3) -> DQuat {
     DQuat::from_xyzw(x, y, z, w).normalize()
 }
 
-/// Makes a symmetric matrix diagonal by Jacobi's rotations, and gives its eigenvectors as columns.
+/// Diagonalises a symmetric matrix by Jacobi rotations and returns its eigenvectors as columns.
 fn diagonalise(a: &mut [[f64; 4]; 4]) -> [[f64; 4]; 4] {
     let mut v = [[0.0; 4]; 4];
     for (k, row) in v.iter_mut().enumerate() {
         row[k] = 1.0;
     }
-    let size = a.iter().flatten().fold(0.0, |most: f64, x| most.max(x.abs()));
+    let size = a.iter().flatten().fold(0.0, |max: f64, x| max.max(x.abs()));
     for _ in 0..ROUNDS {
         let mut changed = false;
         for p in 0..3 {
@@ -59,7 +63,7 @@ fn diagonalise(a: &mut [[f64; 4]; 4]) -> [[f64; 4]; 4] {
                     continue;
                 }
                 changed = true;
-                // tan of the angle that makes a[p][q] zero, the smaller of the two.
+                // Tangent of the smaller angle that makes a[p][q] zero.
                 let slope = 0.5 * (a[q][q] - a[p][p]) / a[p][q];
                 let t = if slope < 0.0 { -1.0 } else { 1.0 } / (slope.abs() + (slope * slope + 1.0).sqrt());
                 let c = 1.0 / (t * t + 1.0).sqrt();
@@ -96,26 +100,28 @@ mod tests {
         at.iter().enumerate().map(|(i, p)| p.distance_squared(centre + turn * corner(i, HALF))).sum()
     }
 
-    fn turns() -> impl Strategy<Value = DQuat> {
+    fn orientations() -> impl Strategy<Value = DQuat> {
         [-1.0..1.0, -1.0..1.0, -1.0..1.0, -1.0..1.0f64]
             .prop_filter("a direction", |q| q.iter().map(|x| x * x).sum::<f64>() > 0.01)
             .prop_map(|q| DQuat::from_array(q).normalize())
     }
 
-    /// A block that has sheared in one plane has turned by atan2(b - c, a + d), where [[a, c], [b, d]] is Σ p rᵀ in that plane.
+    /// Shear in a plane rotates by atan2(b - c, a + d), where [[a, c], [b, d]] is Σ p rᵀ in that
+    /// plane.
     #[test]
-    fn shear_in_a_plane() {
+    fn shear_in_a_plane_rotates_by_its_closed_form() {
         let shear = 0.3;
         let (_, q) = pose(&corners(|r| r + DVec3::new(shear * r.z, 0.0, 0.0)), HALF);
-        // Σ p rᵀ has on its diagonal 8 hx² and 8 hz², and beside it 8 s hz²: a turn about y from z to x.
+        // The diagonal of Σ p rᵀ is 8 hx² and 8 hz², the off-diagonal term 8 s hz²: a rotation
+        // about y.
         let angle = DVec2::new(HALF.x * HALF.x + HALF.z * HALF.z, shear * HALF.z * HALF.z).to_angle();
         let expected = DQuat::from_rotation_y(angle);
         assert!(q.dot(expected).abs() > 1.0 - 1e-14, "{q} {expected}");
     }
 
-    /// What is turned inside out still gets a rotation: the nearest to a reflection across the shortest axis is none at all.
+    /// The rotation nearest to a reflection across the shortest axis is the identity.
     #[test]
-    fn a_block_inside_out() {
+    fn a_mirrored_block_has_a_rotation() {
         let (_, q) = pose(&corners(|r| DVec3::new(r.x, r.y, -r.z)), HALF);
         assert!(q.dot(DQuat::IDENTITY).abs() > 1.0 - 1e-14, "{q}");
     }
@@ -123,27 +129,27 @@ mod tests {
     proptest! {
         #![proptest_config(ProptestConfig { failure_persistence: None, ..ProptestConfig::with_cases(2_000) })]
 
-        /// A block that has moved as a whole, whatever it is stretched by along its own axes, has that motion.
+        /// Scaling along the axes of a block does not change its pose.
         #[test]
-        fn rigid_motion_and_stretch(turn in turns(), centre in [-1.0..1.0, -1.0..1.0, 0.0..1.0f64], stretch in [0.5..2.0, 0.5..2.0, 0.5..2.0f64]) {
+        fn scaling_keeps_the_rigid_motion(turn in orientations(), centre in [-1.0..1.0, -1.0..1.0, 0.0..1.0f64], stretch in [0.5..2.0, 0.5..2.0, 0.5..2.0f64]) {
             let (centre, stretch) = (DVec3::from(centre), DVec3::from(stretch));
             let (found, q) = pose(&corners(|r| centre + turn * (stretch * r)), HALF);
             prop_assert!(found.distance(centre) < 1e-12);
             prop_assert!(q.dot(turn).abs() > 1.0 - 1e-12, "{} {}", q, turn);
         }
 
-        /// Nothing near it fits better, however the particles lie.
+        /// No other orientation has a smaller sum of squares, for any particles.
         #[test]
-        fn no_other_turn_fits_better(turn in turns(), off in prop::collection::vec([-0.01..0.01, -0.01..0.01, -0.01..0.01f64], 8), by in turns()) {
+        fn no_other_orientation_fits_better(turn in orientations(), off in prop::collection::vec([-0.01..0.01, -0.01..0.01, -0.01..0.01f64], 8), by in orientations()) {
             let mut at = corners(|r| turn * r);
             for (p, off) in at.iter_mut().zip(off) {
                 *p += DVec3::from(off);
             }
             let (centre, q) = pose(&at, HALF);
-            let least = sum_of_squares(&at, centre, q);
-            prop_assert!(least <= sum_of_squares(&at, centre, by) + 1e-15);
+            let min = sum_of_squares(&at, centre, q);
+            prop_assert!(min <= sum_of_squares(&at, centre, by) + 1e-15);
             let near = q * DQuat::IDENTITY.slerp(by, 1e-3);
-            prop_assert!(least <= sum_of_squares(&at, centre, near) + 1e-15);
+            prop_assert!(min <= sum_of_squares(&at, centre, near) + 1e-15);
         }
     }
 }

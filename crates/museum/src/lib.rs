@@ -1,7 +1,4 @@
-//! The simulators of the 2003 dissertation as the museum on the page sees them: text and numbers in, text and views on memory out. No
-//! physics here. A module of its own, so that the game does not load it.
-//!
-//! Every error is the text of the Rust error.
+#![doc = include_str!("../README.md")]
 
 mod fit;
 mod plane;
@@ -9,5 +6,3 @@ mod space;
 
 pub use plane::Plane;
 pub use space::Space;
-
-use teeter_wasm_support::Error;

@@ -1,21 +1,31 @@
-//! A rigid rectangle (section 2.2.1).
+//! Rigid rectangles (section 2.2.1).
 
 use glam::DVec2;
 
 use super::scene::Rectangle;
 
-/// A rigid rectangle with its motion.
+/// Rigid rectangle with its pose and velocity.
+///
+/// ```
+/// use glam::DVec2;
+/// use teeter_dissertation::flat::body::Body;
+/// use teeter_dissertation::flat::scene::stack;
+///
+/// let mut body = Body::new(&stack(1, 0.0)[0]);
+/// body.apply_impulse(0.0196 * DVec2::X, body.centre);
+/// assert_eq!((body.velocity, body.spin), (DVec2::X, 0.0));
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Body {
-    /// Half the side lengths, m.
+    /// Half side lengths, m.
     pub half: DVec2,
-    /// Inverse of the mass, 1/kg; 0 for what never moves.
+    /// Inverse mass, 1/kg; 0 for a fixed body.
     pub inverse_mass: f64,
-    /// Inverse of the moment of inertia, 1/(kg m²).
+    /// Inverse moment of inertia, 1/(kg m²).
     pub inverse_inertia: f64,
-    /// Centre, m.
+    /// Position of the centre, m.
     pub centre: DVec2,
-    /// Turn, rad.
+    /// Rotation, rad.
     pub angle: f64,
     /// Velocity of the centre, m/s.
     pub velocity: DVec2,
@@ -24,7 +34,7 @@ pub struct Body {
 }
 
 impl Body {
-    /// At rest.
+    /// Creates a body at rest.
     pub fn new(block: &Rectangle) -> Self {
         let inertia = block.mass * block.size.length_squared() / 12.0;
         Self {
@@ -38,14 +48,14 @@ impl Body {
         }
     }
 
-    /// The floor: its upper side is y = 0.
+    /// Creates the floor, whose upper side is y = 0.
     pub fn floor() -> Self {
         let half = DVec2::new(10.0, 0.5);
         let centre = DVec2::new(0.0, -half.y);
         Self { half, inverse_mass: 0.0, inverse_inertia: 0.0, centre, angle: 0.0, velocity: DVec2::ZERO, spin: 0.0 }
     }
 
-    /// Unit vectors along its sides.
+    /// Unit vectors along the sides.
     pub fn axes(&self) -> [DVec2; 2] {
         let x = DVec2::new(libm::cos(self.angle), libm::sin(self.angle));
         [x, x.perp()]
@@ -58,34 +68,35 @@ impl Body {
         [self.centre - x - y, self.centre + x - y, self.centre + x + y, self.centre - x + y]
     }
 
-    /// Velocity of one of its points, m/s.
+    /// Velocity of a point of the body, m/s.
     pub fn velocity_at(&self, point: DVec2) -> DVec2 {
         self.velocity + self.spin * (point - self.centre).perp() // Eq. 2.5
     }
 
-    /// Takes an impulse (N s) at a point.
-    pub fn push(&mut self, impulse: DVec2, point: DVec2) {
+    /// Applies an impulse (N s) at a point.
+    pub fn apply_impulse(&mut self, impulse: DVec2, point: DVec2) {
         self.velocity += self.inverse_mass * impulse; // Eq. 2.9
         self.spin += self.inverse_inertia * (point - self.centre).perp_dot(impulse);
     }
 
-    /// What a unit impulse along `n` at a point changes of its velocity along `n` there, 1/kg: its part of the denominator of Eq. 2.10.
+    /// Inverse mass of a point along `n`, 1/kg: the term of this body in the denominator of Eq.
+    /// 2.10.
     pub fn inverse_mass_at(&self, point: DVec2, n: DVec2) -> f64 {
         let arm = (point - self.centre).perp_dot(n);
         self.inverse_mass + arm * arm * self.inverse_inertia
     }
 
-    /// Where it is after a time (s) at its present velocities.
-    pub fn moved(&self, time: f64) -> Self {
+    /// Returns the body after a time (s) at constant velocities.
+    pub fn advanced(&self, time: f64) -> Self {
         Self { centre: self.centre + time * self.velocity, angle: self.angle + time * self.spin, ..*self }
     }
 
-    /// Between two poses of it, at t from 0 to 1; velocities are those of `end`.
-    pub fn between(start: &Self, end: &Self, t: f64) -> Self {
+    /// Returns the body between two poses, at t from 0 to 1, with the velocities of `end`.
+    pub fn interpolate(start: &Self, end: &Self, t: f64) -> Self {
         Self { centre: start.centre.lerp(end.centre, t), angle: start.angle + t * (end.angle - start.angle), ..*end }
     }
 
-    /// Energy of motion, J; none for what never moves.
+    /// Kinetic energy, J; 0 for a fixed body.
     pub fn energy(&self) -> f64 {
         if self.inverse_mass == 0.0 {
             return 0.0;

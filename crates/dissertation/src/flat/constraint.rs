@@ -1,161 +1,201 @@
-//! The 2-D prototype with rigid bodies (section 3.4.1), after Baraff: collisions at their time, pair by pair, and forces for what rests.
+//! Two-dimensional prototype with rigid bodies (section 3.4.1), after Baraff: collisions pair by
+//! pair at their time, and forces for resting contact.
 //!
-//! While a pair is resolved all other bodies are ignored, so resolving one may put two others inside each other: Figure 3.3. Nothing bounds how
-//! often; here a limit does, and the step reports it.
+//! While a pair is resolved all other bodies are ignored, so resolving one may make two others
+//! overlap (Figure 3.3). Nothing bounds the number of iterations but a limit, which the step
+//! reports.
 
 use super::axes;
 use super::body::Body;
 use super::lcp::LcpError;
 use super::manifold;
-use super::resting::{self, Touch};
-use super::rigid::{Detection, Report, Rigid2D, collide};
+use super::resting::{self, Contact};
+use super::rigid::{Detection, Report, Rigid2D};
 
-/// How near bodies count as touching, m.
-const TOUCHING: f64 = 5e-5;
+/// Maximum separation of bodies in contact, m.
+const CONTACT_MARGIN: f64 = 5e-5;
 
-/// Halvings of the time of a step.
-const HALVINGS: u32 = 24;
+/// Number of bisections of the time of a step.
+const BISECTIONS: u32 = 24;
 
-/// How deep a pair is when it collides, as a share of how deep counts as an overlap: what is left keeps rounding from making another collision
-/// of a pair that has just stopped.
-const SHARE: f64 = 0.9;
+/// Maximum number of rounds over the contact points of a colliding pair.
+const ROUNDS: u32 = 16;
 
-/// One step.
+/// Penetration of a pair at its collision, over that of an overlap. The difference keeps rounding
+/// from starting another collision of a pair that has just stopped.
+const COLLISION_RATIO: f64 = 0.9;
+
+/// Advances by one step.
 pub fn step(world: &mut Rigid2D) -> Report {
     let c = world.constants;
     let mut report = Report::default();
-    rest(world, &mut report);
+    apply_resting_forces(world, &mut report);
     let start = world.bodies.clone();
-    world.fall(c.step);
-    // Where each body was at its last collision and when that was, for the way that it goes from there.
-    let mut from = Since { start: &start, bodies: start.clone(), time: vec![0.0; start.len()] };
-    while let Some((i, j)) = overlapping(world) {
+    world.integrate(c.step);
+    let mut segments = Segments { start: &start, bodies: start.clone(), times: vec![0.0; start.len()] };
+    while let Some(pair) = first_overlap(world) {
         if report.iterations == c.max_iterations {
             report.capped = true;
-            put_back(world, &start);
+            reset_overlapping(world, &start);
             break;
         }
         report.iterations += 1;
-        resolve(world, i, j, &mut from);
+        resolve(world, pair, &mut segments);
     }
     report
 }
 
-/// The first pair that overlaps.
-fn overlapping(world: &mut Rigid2D) -> Option<(usize, usize)> {
+/// Returns the first pair of bodies that overlaps.
+fn first_overlap(world: &mut Rigid2D) -> Option<[usize; 2]> {
     let slop = world.constants.slop;
     let pairs = world.pairs();
-    pairs
-        .into_iter()
-        .find(|&(i, j)| world.tester.overlap((i as u32, j as u32), &world.bodies[i], &world.bodies[j], slop))
+    pairs.into_iter().map(|(i, j)| [i, j]).find(|&[i, j]| {
+        let (a, b) = (world.bodies[i], world.bodies[j]);
+        world.tester.overlap((i as u32, j as u32), &a, &b, slop)
+    })
 }
 
-/// What the ways of the bodies through a step begin with.
-struct Since<'a> {
-    /// All bodies at the start of the step, none of which overlap.
+/// Starts of the path segments of the bodies: their last collisions in the step.
+struct Segments<'a> {
+    /// Bodies at the start of the step, without overlap.
     start: &'a [Body],
-    /// Each at its last collision,
+    /// Bodies at the starts of their segments.
     bodies: Vec<Body>,
-    /// and when that was, s.
-    time: Vec<f64>,
+    /// Times of the starts, s.
+    times: Vec<f64>,
 }
 
-/// Takes a pair back to where it began to overlap, lets it collide there, and sends it on for the rest of the step.
-fn resolve(world: &mut Rigid2D, i: usize, j: usize, from: &mut Since) {
-    let c = world.constants;
-    let pair_at = |from: &Since, world: &Rigid2D, time: f64| {
-        let at = |k: usize| {
+impl Segments<'_> {
+    /// Returns a pair of bodies at a time (s) of the step.
+    fn pair_at(&self, world: &Rigid2D, pair: [usize; 2], time: f64) -> [Body; 2] {
+        pair.map(|k| {
             let Body { velocity, spin, .. } = world.bodies[k];
-            Body { velocity, spin, ..from.bodies[k] }.moved(time - from.time[k])
-        };
-        (at(i), at(j))
-    };
-    let mut begin = from.time[i].max(from.time[j]);
-    let (a, b) = pair_at(from, world, begin);
-    if world.tester.overlap((i as u32, j as u32), &a, &b, SHARE * c.slop) {
-        // Another pair's collision has put them into each other: they go through the whole step anew.
-        for k in [i, j] {
-            (from.bodies[k], from.time[k]) = (from.start[k], 0.0);
-        }
-        begin = 0.0;
+            Body { velocity, spin, ..self.bodies[k] }.advanced(time - self.times[k])
+        })
     }
-    let (start_i, start_j) = pair_at(from, world, begin);
-    let (end_i, end_j) = pair_at(from, world, c.step);
-    let at = |t: f64| (Body::between(&start_i, &end_i, t), Body::between(&start_j, &end_j, t));
-    let ids = (i as u32, j as u32);
-    let moving = match c.detection {
-        Detection::Bisection => None,
-        Detection::MovingAxes => {
-            let (way_i, way_j) = (end_i.centre - start_i.centre, end_j.centre - start_j.centre);
-            let t = world.tester.first_overlap(&start_i, &start_j, way_i, way_j, SHARE * c.slop);
-            // Not to be trusted where they turn: then they are somewhere else at that time.
-            t.filter(|&t| {
-                let (a, b) = at(t);
-                let gap = axes::widest(&a, &b).1;
-                (gap + SHARE * c.slop).abs() < 0.5 * (1.0 - SHARE) * c.slop
-            })
+
+    /// Returns the latest time (s) from which both segments of a pair are known and start without
+    /// overlap.
+    ///
+    /// Where the collision of another pair has made the two overlap, they restart at the start of
+    /// the step.
+    fn begin(&mut self, world: &mut Rigid2D, pair: [usize; 2]) -> f64 {
+        let [i, j] = pair;
+        let begin = self.times[i].max(self.times[j]);
+        let [a, b] = self.pair_at(world, pair, begin);
+        let slop = COLLISION_RATIO * world.constants.slop;
+        if !world.tester.overlap((i as u32, j as u32), &a, &b, slop) {
+            return begin;
         }
-    };
-    let t = moving.unwrap_or_else(|| {
-        let (mut apart, mut inside) = (0.0, 1.0);
-        for _ in 0..HALVINGS {
-            let middle = 0.5 * (apart + inside);
-            let (a, b) = at(middle);
-            if world.tester.overlap(ids, &a, &b, SHARE * c.slop) { inside = middle } else { apart = middle }
+        for k in pair {
+            (self.bodies[k], self.times[k]) = (self.start[k], 0.0);
         }
-        apart
-    });
-    (world.bodies[i], world.bodies[j]) = at(t);
-    let points = manifold::points(&world.bodies[i], &world.bodies[j], TOUCHING);
-    let touches: Vec<Touch> = points.into_iter().map(|point| Touch { a: i, b: j, point }).collect();
-    // The pair's own points against each other, until none approaches.
-    for _ in 0..16 {
-        for touch in &touches {
-            collide(&mut world.bodies, touch, c.restitution, 0.0);
+        0.0
+    }
+}
+
+/// Paths of a pair of bodies while t goes from 0 to 1.
+struct PairPath {
+    start: [Body; 2],
+    end: [Body; 2],
+}
+
+impl PairPath {
+    fn at(&self, t: f64) -> [Body; 2] {
+        [0, 1].map(|k| Body::interpolate(&self.start[k], &self.end[k], t))
+    }
+}
+
+/// Moves a pair back to the start of its overlap, applies the collision there, and advances it to
+/// the end of the step.
+fn resolve(world: &mut Rigid2D, pair: [usize; 2], segments: &mut Segments) {
+    let step = world.constants.step;
+    let begin = segments.begin(world, pair);
+    let path = PairPath { start: segments.pair_at(world, pair, begin), end: segments.pair_at(world, pair, step) };
+    let t = collision_time(world, pair, &path);
+    let [i, j] = pair;
+    [world.bodies[i], world.bodies[j]] = path.at(t);
+    collide_pair(world, pair);
+    for k in pair {
+        segments.bodies[k] = world.bodies[k];
+        segments.times[k] = begin + t * (step - begin);
+        world.bodies[k] = segments.bodies[k].advanced(step - segments.times[k]);
+    }
+}
+
+/// Returns the time from 0 to 1 at which a pair collides on its paths.
+fn collision_time(world: &mut Rigid2D, [i, j]: [usize; 2], path: &PairPath) -> f64 {
+    let c = world.constants;
+    let slop = COLLISION_RATIO * c.slop;
+    if c.detection == Detection::MovingAxes {
+        let [a, b] = [0, 1].map(|k| path.end[k].centre - path.start[k].centre);
+        let [start_a, start_b] = &path.start;
+        let t = world.tester.first_overlap(start_a, start_b, b - a, slop);
+        // Bodies that rotate are elsewhere at that time, and need bisection.
+        let exact = t.filter(|&t| {
+            let [a, b] = path.at(t);
+            let separation = axes::max_separation(&a, &b).1;
+            (separation + slop).abs() < 0.5 * (1.0 - COLLISION_RATIO) * c.slop
+        });
+        if let Some(t) = exact {
+            return t;
         }
-        if touches.iter().all(|t| t.approach(&world.bodies) > -1e-9) {
+    }
+    let (mut apart, mut inside) = (0.0, 1.0);
+    for _ in 0..BISECTIONS {
+        let middle = 0.5 * (apart + inside);
+        let [a, b] = path.at(middle);
+        if world.tester.overlap((i as u32, j as u32), &a, &b, slop) { inside = middle } else { apart = middle }
+    }
+    apart
+}
+
+/// Applies the impulses of a pair's contact points until none approaches.
+fn collide_pair(world: &mut Rigid2D, [a, b]: [usize; 2]) {
+    let points = manifold::points(&world.bodies[a], &world.bodies[b], CONTACT_MARGIN);
+    let contacts: Vec<Contact> = points.into_iter().map(|point| Contact { a, b, point }).collect();
+    for _ in 0..ROUNDS {
+        for contact in &contacts {
+            contact.collide(&mut world.bodies, world.constants.restitution, 0.0);
+        }
+        if contacts.iter().all(|contact| contact.approach_velocity(&world.bodies) > -1e-9) {
             break;
         }
     }
-    for k in [i, j] {
-        from.bodies[k] = world.bodies[k];
-        from.time[k] = begin + t * (c.step - begin);
-        world.bodies[k] = from.bodies[k].moved(c.step - from.time[k]);
-    }
 }
 
-/// Puts all bodies that overlap back to where they were, and with them those that then overlap them, until none does.
-fn put_back(world: &mut Rigid2D, start: &[Body]) {
-    while let Some((i, j)) = overlapping(world) {
+/// Resets overlapping bodies to the start of the step, until none overlaps.
+fn reset_overlapping(world: &mut Rigid2D, start: &[Body]) {
+    while let Some([i, j]) = first_overlap(world) {
         let before = (world.bodies[i], world.bodies[j]);
         (world.bodies[i], world.bodies[j]) = (start[i], start[j]);
         if (world.bodies[i], world.bodies[j]) == before {
-            // They overlapped at the start of the step.
+            // The two overlapped at the start of the step.
             break;
         }
     }
 }
 
-/// The contact points at rest, and the forces along their normals, N.
-pub fn resting(world: &Rigid2D) -> (Vec<Touch>, Result<Vec<f64>, LcpError>) {
+/// Returns the resting contact points and their normal forces, N.
+pub fn resting(world: &Rigid2D) -> (Vec<Contact>, Result<Vec<f64>, LcpError>) {
     let c = world.constants;
-    let mut touches = world.touches(TOUCHING);
-    touches.retain(|t| t.approach(&world.bodies).abs() < c.rest_velocity);
-    let forces = resting::forces(&world.bodies, &touches, c.gravity);
-    (touches, forces)
+    let mut contacts = world.contacts(CONTACT_MARGIN);
+    contacts.retain(|contact| contact.approach_velocity(&world.bodies).abs() < c.rest_velocity);
+    let forces = resting::forces(&world.bodies, &contacts, c.gravity);
+    (contacts, forces)
 }
 
-/// Forces for the points at rest, as impulses over the step.
-fn rest(world: &mut Rigid2D, report: &mut Report) {
+/// Applies the forces of the resting contact points as impulses over the step.
+fn apply_resting_forces(world: &mut Rigid2D, report: &mut Report) {
     let step = world.constants.step;
-    let (touches, forces) = resting(world);
-    report.resting = touches.len() as u32;
+    let (contacts, forces) = resting(world);
+    report.resting = contacts.len() as u32;
     match forces {
         Ok(forces) => {
-            for (touch, force) in touches.iter().zip(forces) {
-                touch.push(&mut world.bodies, step * force * touch.point.normal);
+            for (contact, force) in contacts.iter().zip(forces) {
+                contact.apply_impulse(&mut world.bodies, step * force * contact.point.normal);
             }
         }
-        Err(failure) => report.failure = Some(failure),
+        Err(error) => report.failure = Some(error),
     }
 }

@@ -1,46 +1,54 @@
-//! Dantzig's algorithm for the linear complementarity problem of resting contact (Eq. 2.13 to 2.16), after Baraff's "Fast contact force
-//! computation for nonpenetrating rigid bodies" (1994).
+//! Dantzig's algorithm for the linear complementarity problem of resting contact (Eq. 2.13 to
+//! 2.16), after Baraff's "Fast contact force computation for nonpenetrating rigid bodies" (1994).
 
-/// Why there are no forces.
+/// Error of the solver.
+///
+/// ```
+/// use teeter_dissertation::flat::lcp::{LcpError, solve};
+///
+/// assert_eq!(solve(&[vec![2.0]], &[-6.0]), Ok(vec![3.0]));
+/// assert_eq!(solve(&[vec![0.0]], &[-1.0]), Err(LcpError::Unbounded(0)));
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq, Eq, thiserror::Error)]
 pub enum LcpError {
-    /// The contacts that bear force depend on each other, so that their forces are not determined.
+    /// Linearly dependent contacts, whose forces are undetermined.
     #[error("the matrix of the contacts that bear force is singular")]
     Singular,
-    /// No force can stop an acceleration into each other.
+    /// Contact whose acceleration no force can stop.
     #[error("no force stops the acceleration at contact {0}")]
     Unbounded(usize),
-    /// The contacts change places without end.
+    /// Number of changes of contacts without a solution.
     #[error("no solution after {0} changes of contacts")]
-    Endless(usize),
+    NoConvergence(usize),
 }
 
-/// What is taken for zero beside the largest entry of a row.
+/// Ratio to the largest entry of a row below which a number counts as zero.
 const ZERO: f64 = 1e-12;
 
-/// Forces f ≥ 0 such that a = A f + b ≥ 0 and f a = 0, place by place. `matrix` is A by rows, symmetric and positive semi-definite.
+/// Returns forces f ≥ 0 such that a = A f + b ≥ 0 and f a = 0 for each element. `matrix` holds the
+/// rows of A, symmetric and positive semi-definite.
 ///
 /// # Errors
-/// See [`LcpError`].
+/// As listed at [`LcpError`].
 pub fn solve(matrix: &[Vec<f64>], b: &[f64]) -> Result<Vec<f64>, LcpError> {
     let n = b.len();
     let (mut f, mut a) = (vec![0.0; n], b.to_vec());
-    let scale = b.iter().fold(0.0f64, |most, x| most.max(x.abs()));
-    // Contacts that bear force and do not accelerate, and those that accelerate or may and bear none.
+    let scale = b.iter().fold(0.0f64, |max, x| max.max(x.abs()));
+    // Clamped contacts have a force and no acceleration; free ones have no force.
     let (mut clamped, mut free): (Vec<usize>, Vec<usize>) = (Vec::new(), Vec::new());
     for d in 0..n {
-        // Drive a[d] to zero with the others kept valid.
+        // Increase f[d] until a[d] is zero while the conditions of the other contacts hold.
         let mut changes = 0;
         while a[d] < -ZERO * scale {
             changes += 1;
             if changes > 10 * n + 10 {
-                return Err(LcpError::Endless(changes));
+                return Err(LcpError::NoConvergence(changes));
             }
-            let by = direction(matrix, &clamped, d)?;
-            let da: Vec<f64> = (0..n).map(|i| by.iter().map(|&(j, df)| matrix[i][j] * df).sum()).collect();
+            let delta = direction(matrix, &clamped, d)?;
+            let da: Vec<f64> = (0..n).map(|i| delta.iter().map(|&(j, df)| matrix[i][j] * df).sum()).collect();
             let (mut step, mut first) =
                 if da[d] > ZERO * matrix[d][d] { (-a[d] / da[d], d) } else { (f64::INFINITY, d) };
-            for &(i, df) in by.iter().filter(|(i, df)| *i != d && *df < 0.0) {
+            for &(i, df) in delta.iter().filter(|(i, df)| *i != d && *df < 0.0) {
                 if -f[i] / df < step {
                     (step, first) = (-f[i] / df, i);
                 }
@@ -53,7 +61,7 @@ pub fn solve(matrix: &[Vec<f64>], b: &[f64]) -> Result<Vec<f64>, LcpError> {
             if step == f64::INFINITY {
                 return Err(LcpError::Unbounded(d));
             }
-            for &(i, df) in &by {
+            for &(i, df) in &delta {
                 f[i] += step * df;
             }
             for (a, da) in a.iter_mut().zip(&da) {
@@ -63,8 +71,8 @@ pub fn solve(matrix: &[Vec<f64>], b: &[f64]) -> Result<Vec<f64>, LcpError> {
                 a[d] = 0.0;
                 break;
             }
-            if let Some(place) = clamped.iter().position(|i| *i == first) {
-                clamped.remove(place);
+            if let Some(index) = clamped.iter().position(|i| *i == first) {
+                clamped.remove(index);
                 f[first] = 0.0;
                 free.push(first);
             } else {
@@ -78,12 +86,13 @@ pub fn solve(matrix: &[Vec<f64>], b: &[f64]) -> Result<Vec<f64>, LcpError> {
     Ok(f)
 }
 
-/// How all forces change when that of `d` grows by one and the accelerations of the clamped contacts stay zero.
+/// Returns the changes of all forces when that of `d` grows by one and the accelerations of the
+/// clamped contacts stay zero.
 fn direction(matrix: &[Vec<f64>], clamped: &[usize], d: usize) -> Result<Vec<(usize, f64)>, LcpError> {
     let m = clamped.len();
     let mut rows: Vec<Vec<f64>> =
         clamped.iter().map(|&i| clamped.iter().map(|&j| matrix[i][j]).chain([-matrix[i][d]]).collect()).collect();
-    // Gauss's elimination with the largest entry of a column first.
+    // Gaussian elimination with partial pivoting.
     for k in 0..m {
         let pivot = (k..m).max_by(|&i, &j| rows[i][k].abs().total_cmp(&rows[j][k].abs())).unwrap_or(k);
         rows.swap(k, pivot);
@@ -98,10 +107,10 @@ fn direction(matrix: &[Vec<f64>], clamped: &[usize], d: usize) -> Result<Vec<(us
             }
         }
     }
-    let mut by = vec![0.0; m];
+    let mut solution = vec![0.0; m];
     for k in (0..m).rev() {
-        let rest: f64 = (k + 1..m).map(|j| rows[k][j] * by[j]).sum();
-        by[k] = (rows[k][m] - rest) / rows[k][k];
+        let rest: f64 = (k + 1..m).map(|j| rows[k][j] * solution[j]).sum();
+        solution[k] = (rows[k][m] - rest) / rows[k][k];
     }
-    Ok(clamped.iter().copied().zip(by).chain([(d, 1.0)]).collect())
+    Ok(clamped.iter().copied().zip(solution).chain([(d, 1.0)]).collect())
 }

@@ -1,31 +1,44 @@
-//! The contact points of two rectangles that touch or nearly do.
+//! Contact manifold of two rectangles.
 
 use glam::DVec2;
 
 use super::axes;
 use super::body::Body;
 
-/// A point where two bodies touch.
+/// Contact point of two bodies.
+///
+/// ```
+/// use teeter_dissertation::flat::body::Body;
+/// use teeter_dissertation::flat::manifold::points;
+/// use teeter_dissertation::flat::scene::stack;
+///
+/// let blocks = stack(2, 0.0).iter().map(Body::new).collect::<Vec<_>>();
+/// let points = points(&blocks[1], &blocks[0], 1e-6);
+/// assert_eq!(points.len(), 2);
+/// assert_eq!(points[0].normal, glam::DVec2::Y); // from the lower block to the upper one
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Point {
-    /// Place, m.
-    pub place: DVec2,
+    /// Position, m.
+    pub position: DVec2,
     /// Unit normal, from the second body to the first.
     pub normal: DVec2,
-    /// Whether the normal turns with the first body; it turns with the second otherwise.
+    /// True where the normal rotates with the first body, false where it rotates with the second.
     pub of_first: bool,
-    /// How deep the bodies are inside each other there, m; negative for a gap.
+    /// Penetration, m; negative for a gap.
     pub depth: f64,
 }
 
-/// The points of two bodies no more than `margin` (m) apart along their widest axis: at most two, the ends of what their facing sides share.
+/// Returns the contact points of two bodies at most `margin` (m) apart along the axis of maximum
+/// separation: at most two, the ends of the overlap of their facing sides.
 pub fn points(a: &Body, b: &Body, margin: f64) -> Vec<Point> {
-    let (axis, gap) = axes::widest(a, b);
+    let (axis, gap) = axes::max_separation(a, b);
     if gap > margin {
         return Vec::new();
     }
     let normal = axes::normal(a, b);
-    // The axis belongs to one body, whose side is the reference; of the other the side that faces it most.
+    // The side of the body that the axis belongs to is the reference. The other body contributes
+    // the side that faces it best.
     let (reference, other, out) = if axis < 2 { (a, b, -normal) } else { (b, a, normal) };
     let side_of = |body: &Body, direction: DVec2| {
         let c = body.corners();
@@ -36,7 +49,7 @@ pub fn points(a: &Body, b: &Body, margin: f64) -> Vec<Point> {
     let [from, to] = side_of(reference, out);
     let [mut p, mut q] = side_of(other, -out);
     let along = (to - from).normalize();
-    // Cut to the reference side's extent.
+    // Clip to the extent of the reference side.
     for (origin, inwards) in [(from, along), (to, -along)] {
         let (s, t) = ((p - origin).dot(inwards), (q - origin).dot(inwards));
         match (s < 0.0, t < 0.0) {
@@ -46,6 +59,6 @@ pub fn points(a: &Body, b: &Body, margin: f64) -> Vec<Point> {
             (false, false) => {}
         }
     }
-    let point = |place: DVec2| Point { place, normal, of_first: axis < 2, depth: (from - place).dot(out) };
+    let point = |position: DVec2| Point { position, normal, of_first: axis < 2, depth: (from - position).dot(out) };
     [p, q].map(point).into_iter().filter(|p| p.depth >= -margin).collect()
 }

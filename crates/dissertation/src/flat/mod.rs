@@ -1,4 +1,4 @@
-//! The two prototypes of section 3.4, and the other methods of chapter 2, in the plane.
+//! Two prototypes of section 3.4, and the other methods of chapter 2, in the plane.
 
 pub mod axes;
 pub mod body;
@@ -11,6 +11,7 @@ pub mod resting;
 pub mod rigid;
 pub mod scene;
 pub mod springs;
+mod step;
 
 pub use rigid::{Detection, Method, Rigid2D};
 pub use springs::Springs2D;

@@ -1,5 +1,5 @@
-//! Rigid rectangles with a choice of what to do at contacts: the 2-D prototype (section 3.4.1) by constraints, and beside it the penalty method
-//! and micro-collisions of chapter 2.
+//! World of rigid rectangles with a choice of contact method: constraints, the two-dimensional
+//! prototype of section 3.4.1, and the penalty method and micro-collisions of chapter 2.
 
 use glam::DVec2;
 use serde::{Deserialize, Serialize};
@@ -7,27 +7,34 @@ use serde::{Deserialize, Serialize};
 use super::axes::Tester;
 use super::body::Body;
 use super::lcp::LcpError;
-use super::resting::Touch;
+use super::manifold;
+use super::resting::Contact;
 use super::scene::Rectangle;
-use super::{constraint, micro, penalty};
 
-/// What is done at contacts.
+/// Contact method.
+///
+/// ```
+/// use teeter_dissertation::flat::Method;
+///
+/// assert_eq!(Method::ALL.map(Method::name), ["constraints", "penalty", "micro-collisions"]);
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum Method {
-    /// Impulses for colliding contact, resolved pair by pair at the time of collision; forces by Dantzig's algorithm for resting contact.
+    /// Impulses for colliding contact, resolved pair by pair at the time of collision, and forces
+    /// by Dantzig's algorithm for resting contact.
     Constraint,
-    /// A force in proportion to the depth (Eq. 2.12).
+    /// Force proportional to the penetration (Eq. 2.12).
     Penalty,
-    /// Impulses for everything, resting contact as very small collisions.
+    /// Impulses only, with resting contact as very small collisions.
     MicroCollisions,
 }
 
 impl Method {
-    /// All of them.
+    /// All methods.
     pub const ALL: [Method; 3] = [Method::Constraint, Method::Penalty, Method::MicroCollisions];
 
-    /// What it is called.
+    /// Name of the method.
     pub fn name(self) -> &'static str {
         match self {
             Method::Constraint => "constraints",
@@ -37,24 +44,37 @@ impl Method {
     }
 }
 
-/// How the time of a collision is found.
+/// Search for the time of a collision.
+///
+/// ```
+/// use teeter_dissertation::flat::{Detection, Method, rigid::Constants};
+///
+/// assert_eq!(Constants::of(Method::Constraint).detection, Detection::Bisection);
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum Detection {
-    /// By halves between a time apart and one overlapping (Figure 2.4).
+    /// Bisection between a time without overlap and one with overlap (Figure 2.4).
     Bisection,
-    /// By the separating axes of moving bodies, which do not turn; by halves where they turn into each other.
+    /// Separating axes of moving bodies that do not rotate, and bisection where they rotate into
+    /// each other.
     MovingAxes,
 }
 
-/// Constants. Lengths in m, masses in kg, times in s.
+/// Constants of a world. Lengths in m, masses in kg, times in s.
+///
+/// ```
+/// use teeter_dissertation::flat::{Method, rigid::Constants};
+///
+/// assert_eq!(Constants::of(Method::Penalty).step, 1.0 / 9600.0);
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Constants {
-    /// What is done at contacts.
+    /// Contact method.
     pub method: Method,
-    /// How the time of a collision is found.
+    /// Search for the time of a collision.
     pub detection: Detection,
-    /// Whether separating axes are kept from step to step.
+    /// True to cache separating axes from step to step.
     pub witnesses: bool,
     /// Time of a step, s.
     pub step: f64,
@@ -64,20 +84,21 @@ pub struct Constants {
     pub restitution: f64,
     /// Coefficient of friction; the constraint method has none.
     pub friction: f64,
-    /// How deep bodies may be inside each other without a collision, m.
+    /// Maximum penetration without a collision, m.
     pub slop: f64,
-    /// Relative velocity below which a contact is at rest, m/s.
+    /// Maximum relative velocity of a resting contact, m/s.
     pub rest_velocity: f64,
-    /// Most pairs that one step resolves: what would go on for ever is cut short there, its bodies are put back, and the step says so.
+    /// Maximum number of pairs that one step resolves. A step that reaches it resets the remaining
+    /// bodies and reports it.
     pub max_iterations: u32,
-    /// Force per depth, N/m (Eq. 2.12).
+    /// Stiffness of the penalty method, N/m (Eq. 2.12).
     pub stiffness: f64,
-    /// Force per velocity into each other, N s/m.
+    /// Damping of the penalty method, N s/m.
     pub damping: f64,
 }
 
 impl Constants {
-    /// What suits a method.
+    /// Default constants of a method.
     pub fn of(method: Method) -> Self {
         Self {
             method,
@@ -100,52 +121,63 @@ impl Constants {
     }
 }
 
-/// What one step did.
+/// Report of one step.
+///
+/// ```
+/// use teeter_dissertation::flat::scene::stack;
+/// use teeter_dissertation::flat::{Method, Rigid2D, rigid::Constants};
+///
+/// let mut world = Rigid2D::new(&stack(2, 0.0), Constants::of(Method::Constraint));
+/// let report = world.step();
+/// assert_eq!((report.iterations, report.resting), (0, 4));
+/// ```
 #[derive(Debug, Clone, Copy, Default, PartialEq)]
 pub struct Report {
-    /// Pairs that were resolved one after the other.
+    /// Number of pairs resolved, or of impulses.
     pub iterations: u32,
-    /// Whether the limit was reached and the bodies left over put back.
+    /// True when the limit was reached.
     pub capped: bool,
-    /// Contact points at rest whose forces were solved for.
+    /// Number of resting contact points.
     pub resting: u32,
-    /// Why there are no forces for them.
+    /// Error of solving for their forces.
     pub failure: Option<LcpError>,
 }
 
-/// Rigid rectangles over a floor.
+/// Rigid rectangles on a floor.
+///
+/// ```
+/// use teeter_dissertation::flat::scene::stack;
+/// use teeter_dissertation::flat::{Method, Rigid2D, rigid::Constants};
+///
+/// let mut world = Rigid2D::new(&stack(3, 0.0), Constants::of(Method::Constraint));
+/// for _ in 0..240 {
+///     world.step();
+/// }
+/// assert!((world.pose(2).0.y - 0.045).abs() < 1e-5);
+/// ```
 #[derive(Debug, Clone)]
 pub struct Rigid2D {
-    /// The constants.
+    /// Constants.
     pub constants: Constants,
-    /// The floor, then the blocks.
+    /// Bodies: the floor, then the blocks.
     pub bodies: Vec<Body>,
-    /// The test of overlap and its counters.
+    /// Overlap test with its counters.
     pub tester: Tester,
 }
 
 impl Rigid2D {
-    /// Blocks at rest.
+    /// Creates blocks at rest.
     pub fn new(blocks: &[Rectangle], constants: Constants) -> Self {
         let bodies = std::iter::once(Body::floor()).chain(blocks.iter().map(Body::new)).collect();
         Self { constants, bodies, tester: Tester::new(constants.witnesses) }
     }
 
-    /// One more block, at rest.
+    /// Adds a block at rest.
     pub fn add(&mut self, block: &Rectangle) {
         self.bodies.push(Body::new(block));
     }
 
-    /// One step.
-    pub fn step(&mut self) -> Report {
-        match self.constants.method {
-            Method::Constraint => constraint::step(self),
-            Method::Penalty => penalty::step(self),
-            Method::MicroCollisions => micro::step(self),
-        }
-    }
-
-    /// Centre (m) and turn (rad) of a block.
+    /// Position of the centre (m) and rotation (rad) of a block.
     pub fn pose(&self, block: usize) -> (DVec2, f64) {
         let body = &self.bodies[block + 1];
         (body.centre, body.angle)
@@ -156,12 +188,12 @@ impl Rigid2D {
         self.bodies.len() - 1
     }
 
-    /// Whether there is no block.
+    /// Returns true if there is no block.
     pub fn is_empty(&self) -> bool {
         self.len() == 0
     }
 
-    /// Pairs of bodies that may touch: their circles do.
+    /// Pairs of bodies whose bounding circles overlap.
     pub(super) fn pairs(&self) -> Vec<(usize, usize)> {
         let near = |i: usize, j: usize| {
             let (a, b) = (&self.bodies[i], &self.bodies[j]);
@@ -174,10 +206,10 @@ impl Rigid2D {
             .collect()
     }
 
-    /// Contact points no more than `margin` (m) apart.
-    pub fn touches(&self, margin: f64) -> Vec<Touch> {
+    /// Returns the contact points at most `margin` (m) apart.
+    pub fn contacts(&self, margin: f64) -> Vec<Contact> {
         let of = |(i, j): (usize, usize)| {
-            super::manifold::points(&self.bodies[i], &self.bodies[j], margin).into_iter().map(move |point| Touch {
+            manifold::points(&self.bodies[i], &self.bodies[j], margin).into_iter().map(move |point| Contact {
                 a: i,
                 b: j,
                 point,
@@ -186,27 +218,11 @@ impl Rigid2D {
         self.pairs().into_iter().flat_map(of).collect()
     }
 
-    /// Gravity over a time, and then the way.
-    pub(super) fn fall(&mut self, time: f64) {
+    /// Integrates gravity, then the poses, over a time (s).
+    pub(super) fn integrate(&mut self, time: f64) {
         for body in self.bodies.iter_mut().filter(|b| b.inverse_mass > 0.0) {
             body.velocity.y -= self.constants.gravity * time;
-            *body = body.moved(time);
+            *body = body.advanced(time);
         }
     }
-}
-
-/// An impulse that turns an approach at a contact round by the coefficient of restitution (Eq. 2.10 with 1 + e, see `jenga3d::response`), and
-/// Coulomb's friction within it.
-pub(super) fn collide(bodies: &mut [Body], touch: &Touch, restitution: f64, friction: f64) {
-    let approach = touch.approach(bodies);
-    if approach >= 0.0 {
-        return;
-    }
-    let n = touch.point.normal;
-    let j = -(1.0 + restitution) * approach / touch.inverse_mass(bodies, n); // Eq. 2.10
-    let t = n.perp();
-    let sliding =
-        (bodies[touch.a].velocity_at(touch.point.place) - bodies[touch.b].velocity_at(touch.point.place)).dot(t);
-    let across = -sliding / touch.inverse_mass(bodies, t);
-    touch.push(bodies, j * n + across.clamp(-friction * j, friction * j) * t);
 }

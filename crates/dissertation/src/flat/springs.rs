@@ -1,4 +1,5 @@
-//! The 2-D prototype with springs (section 3.4.2): four particles, six springs and four edges a block.
+//! Two-dimensional prototype with springs (section 3.4.2): four particles, six springs and four
+//! edges a block.
 
 use glam::DVec2;
 
@@ -6,23 +7,28 @@ use super::scene::Rectangle;
 use crate::jenga3d::cubic::Cubic;
 
 /// Constants of the prototype. Lengths in m, masses in kg, times in s.
+///
+/// ```
+/// let constants = teeter_dissertation::flat::springs::Constants::default();
+/// assert_eq!((constants.iterations, constants.stiffness), (5, 2e4));
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Constants {
     /// Time of a step, s.
     pub step: f64,
     /// Acceleration of gravity along -y, m/s².
     pub gravity: f64,
-    /// Of every spring, N/m.
+    /// Stiffness of every spring, N/m.
     pub stiffness: f64,
-    /// Of every spring, N s/m.
+    /// Damping of every spring, N s/m.
     pub damping: f64,
-    /// Steps of Euler's method within one step: five, as the text has it.
+    /// Number of steps of Euler's method within one step, five in the text.
     pub iterations: u32,
     /// Ratio of the speeds after and before a collision.
     pub restitution: f64,
-    /// Coefficient of friction within a collision.
+    /// Coefficient of friction in a collision.
     pub friction: f64,
-    /// Most rounds over the pairs in a step.
+    /// Maximum number of rounds over the pairs in a step.
     pub max_sweeps: u32,
 }
 
@@ -41,7 +47,13 @@ impl Default for Constants {
     }
 }
 
-/// A particle's state.
+/// State of a particle.
+///
+/// ```
+/// use teeter_dissertation::flat::springs::State;
+///
+/// assert_eq!(State::default().velocity, glam::DVec2::ZERO);
+/// ```
 #[derive(Debug, Clone, Copy, Default, PartialEq)]
 pub struct State {
     /// Position, m.
@@ -50,44 +62,62 @@ pub struct State {
     pub velocity: DVec2,
 }
 
-/// Pairs of corners that springs join: the four edges, counter-clockwise with the block on their left, and the two diagonals.
+/// Corners at the ends of each spring: the four edges, counter-clockwise with the block on their
+/// left, and the two diagonals.
 const SPRINGS: [[usize; 2]; 6] = [[0, 1], [1, 2], [2, 3], [3, 0], [0, 2], [1, 3]];
-/// How many of the springs are edges.
+/// Number of springs that are edges.
 const EDGES: usize = 4;
 
 /// Blocks of springs in the plane.
+///
+/// ```
+/// use teeter_dissertation::flat::scene::stack;
+/// use teeter_dissertation::flat::{Springs2D, springs};
+///
+/// let mut world = Springs2D::new(&stack(2, 1e-3), springs::Constants::default());
+/// for _ in 0..400 {
+///     assert!(!world.step().unresolved);
+/// }
+/// assert!((world.pose(1).0.y - 0.027).abs() < 1e-3);
+/// ```
 #[derive(Debug, Clone)]
 pub struct Springs2D {
-    /// The constants.
+    /// Constants.
     pub constants: Constants,
     /// Last valid states, four a block.
     pub curr: Vec<State>,
     next: Vec<State>,
     /// Mass of a particle of each block, kg.
     masses: Vec<f64>,
-    /// Rest lengths of each block's springs, m.
+    /// Rest lengths of the springs of each block, m.
     rest: Vec<[f64; 6]>,
 }
 
-/// Shares of the four corners in a point between them, in parts of the edges.
-fn shares(at: DVec2) -> [f64; 4] {
+/// Weights of the four corners in a point given as fractions of the edges.
+fn weights(at: DVec2) -> [f64; 4] {
     let (x, y) = (at.x, at.y);
     [(1.0 - x) * (1.0 - y), x * (1.0 - y), x * y, (1.0 - x) * y]
 }
 
-/// What one step did.
+/// Report of one step.
+///
+/// ```
+/// use teeter_dissertation::flat::springs::Report;
+///
+/// assert_eq!(Report::default().collisions, 0);
+/// ```
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
 pub struct Report {
-    /// Rounds over the pairs; the last finds nothing unless the limit was reached.
+    /// Number of rounds over the pairs; the last finds nothing unless the limit is reached.
     pub sweeps: u32,
-    /// Collisions resolved.
+    /// Number of collisions resolved.
     pub collisions: u32,
-    /// Whether collisions were left.
+    /// True when collisions are left.
     pub unresolved: bool,
 }
 
 impl Springs2D {
-    /// Blocks at rest.
+    /// Creates blocks at rest.
     pub fn new(blocks: &[Rectangle], constants: Constants) -> Self {
         let mut world = Self { constants, curr: Vec::new(), next: Vec::new(), masses: Vec::new(), rest: Vec::new() };
         for block in blocks {
@@ -96,7 +126,7 @@ impl Springs2D {
         world
     }
 
-    /// One more block, at rest.
+    /// Adds a block at rest.
     pub fn add(&mut self, block: &Rectangle) {
         let corners = [DVec2::new(-0.5, -0.5), DVec2::new(0.5, -0.5), DVec2::new(0.5, 0.5), DVec2::new(-0.5, 0.5)];
         let states = corners.map(|c| State { position: block.centre + c * block.size, velocity: DVec2::ZERO });
@@ -106,25 +136,28 @@ impl Springs2D {
         self.next.extend(states);
     }
 
-    /// Place and velocity of a point of a block, in parts of its edges from its lower left corner.
+    /// Position and velocity of a point of a block, given as fractions of its edges from the lower
+    /// left corner.
     pub fn point(&self, block: usize, at: DVec2) -> State {
         let mut point = State::default();
-        for (state, w) in self.curr[4 * block..][..4].iter().zip(shares(at)) {
+        for (state, w) in self.curr[4 * block..][..4].iter().zip(weights(at)) {
             point.position += w * state.position;
             point.velocity += w * state.velocity;
         }
         point
     }
 
-    /// Takes an impulse (N s) at a point of a block, in parts of its edges: each particle its share.
-    pub fn push(&mut self, block: usize, at: DVec2, impulse: DVec2) {
+    /// Applies an impulse (N s) at a point of a block, given as fractions of its edges, weighted
+    /// over its particles.
+    pub fn apply_impulse(&mut self, block: usize, at: DVec2, impulse: DVec2) {
         let mass = self.masses[block];
-        for (state, w) in self.curr[4 * block..][..4].iter_mut().zip(shares(at)) {
+        for (state, w) in self.curr[4 * block..][..4].iter_mut().zip(weights(at)) {
             state.velocity += impulse * (w / mass);
         }
     }
 
-    /// Centre of a block, m, and its turn, rad: the direction of its lower edge.
+    /// Position of the centre of a block, m, and its rotation, rad: the direction of its lower
+    /// edge.
     pub fn pose(&self, block: usize) -> (DVec2, f64) {
         let p = &self.curr[4 * block..][..4];
         let along = p[1].position + p[2].position - p[0].position - p[3].position;
@@ -136,12 +169,12 @@ impl Springs2D {
         self.masses.len()
     }
 
-    /// Whether there is none.
+    /// Returns true if there is no block.
     pub fn is_empty(&self) -> bool {
         self.masses.is_empty()
     }
 
-    /// One step.
+    /// Advances by one step.
     pub fn step(&mut self) -> Report {
         self.integrate();
         let report = self.collide();
@@ -203,28 +236,29 @@ impl Springs2D {
         if self.next[particle].position.y >= 0.0 {
             return false;
         }
-        let (velocity, way) =
+        let (velocity, displacement) =
             (self.next[particle].velocity, self.next[particle].position - self.curr[particle].position);
-        self.respond(&[(particle, 1.0)], DVec2::Y, velocity, way);
+        self.respond(&[(particle, 1.0)], DVec2::Y, velocity, displacement);
         self.next[particle].position.y = self.next[particle].position.y.max(0.0);
         true
     }
 
-    /// Whether a point passes an edge from outside within the step, and the collision resolved if so.
+    /// Resolves the collision of a point that passes an edge from outside within the step, and
+    /// returns true if there is one.
     fn point_edge(&mut self, point: usize, block: usize, edge: usize) -> bool {
         let [i, j] = SPRINGS[edge].map(|c| 4 * block + c);
         let (s, n) = (&self.curr, &self.next);
         // Three moving points on one line: in the plane Eq. 4.9 is of the second degree.
         let (a1, a2) = (s[j].position - s[i].position, s[point].position - s[i].position);
-        let way = |k: usize| n[k].position - s[k].position;
-        let (d1, d2) = (way(j) - way(i), way(point) - way(i));
+        let displacement = |k: usize| n[k].position - s[k].position;
+        let (d1, d2) = (displacement(j) - displacement(i), displacement(point) - displacement(i));
         // Positive outside, which is on the right of the edge.
         let outside = Cubic { a: 0.0, b: d2.perp_dot(d1), c: a2.perp_dot(d1) + d2.perp_dot(a1), d: a2.perp_dot(a1) };
         if !outside.may_have_root() {
             return false;
         }
         for root in outside.crossings().as_slice().iter().filter(|root| root.descending) {
-            let at = |k: usize| s[k].position + root.t * way(k);
+            let at = |k: usize| s[k].position + root.t * displacement(k);
             let along = at(j) - at(i);
             let mu = (at(point) - at(i)).dot(along) / along.length_squared();
             if !(-1e-6..=1.0 + 1e-6).contains(&mu) {
@@ -234,23 +268,24 @@ impl Springs2D {
             let normal = -along.perp().normalize();
             let parts = [(point, 1.0), (i, mu - 1.0), (j, -mu)];
             let relative = |of: &dyn Fn(usize) -> DVec2| parts.iter().map(|&(k, w)| w * of(k)).sum::<DVec2>();
-            let (velocity, way) = (relative(&|k| n[k].velocity), relative(&way));
-            self.respond(&parts, normal, velocity, way);
+            let (velocity, displacement) = (relative(&|k| n[k].velocity), relative(&displacement));
+            self.respond(&parts, normal, velocity, displacement);
             return true;
         }
         false
     }
 
-    /// As `jenga3d::response`: Eq. 4.13 with weights for velocities and ways, and Coulomb's friction within the blow.
-    fn respond(&mut self, parts: &[(usize, f64)], normal: DVec2, velocity: DVec2, way: DVec2) {
+    /// Applies Eq. 4.13 with weights to velocities and displacements, and Coulomb friction limited
+    /// by the impulse, as [`respond`](crate::jenga3d::response::respond) does.
+    fn respond(&mut self, parts: &[(usize, f64)], normal: DVec2, velocity: DVec2, displacement: DVec2) {
         let c = self.constants;
         let inverse_mass: f64 = parts.iter().map(|&(k, w)| w * w / self.masses[k / 4]).sum();
-        let blow = |relative: DVec2| {
+        let response = |relative: DVec2| {
             let along = -(1.0 + c.restitution) * relative.dot(normal).min(0.0) / inverse_mass; // Eq. 4.13
             let across = -(relative - relative.dot(normal) * normal) / inverse_mass;
             along * normal + across.clamp_length_max(c.friction * along)
         };
-        let (impulse, shift) = (blow(velocity), blow(way));
+        let (impulse, shift) = (response(velocity), response(displacement));
         for &(k, w) in parts {
             let share = w / self.masses[k / 4];
             self.next[k].velocity += impulse * share; // Eq. 2.9
