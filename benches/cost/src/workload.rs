@@ -1,4 +1,4 @@
-//! What is measured.
+//! Workloads: the frames that are measured.
 
 use std::path::Path;
 
@@ -7,41 +7,49 @@ use teeter_golden::runs;
 use teeter_physics::{BodyId, Drive, Input, Params, Precision, Width, World};
 use teeter_scene::{Form, Scene, TowerOptions, tower};
 
-use crate::Fault;
+use crate::error::CostError;
 
-/// A scene, the constants of a run, what acts in each frame, and which frames are measured.
+/// Workload: a scene, constants, the input of each frame, and the frames that are measured.
+///
+/// ```
+/// use teeter_cost::Workload;
+/// use teeter_physics::Precision;
+///
+/// let workload = Workload::awake(6, 1e6, Precision::Single).expect("a valid tower").of_frames(10);
+/// assert_eq!((workload.name.as_str(), workload.measured().len()), ("awake, 6 rows", 10));
+/// ```
 #[derive(Debug, Clone)]
 pub struct Workload {
-    /// What it is called.
+    /// Name of the workload.
     pub name: String,
-    /// Where it begins.
+    /// Scene at the start.
     pub scene: Scene,
-    /// Constants.
+    /// Constants of the run.
     pub params: Params,
-    /// What acts in each frame from the first one on; nothing after its end.
+    /// Inputs of the frames from the first one; later frames have none.
     pub inputs: Vec<Input>,
-    /// Frames before those that are measured.
+    /// Number of frames before the measured ones.
     pub settle: usize,
-    /// Frames that are measured.
+    /// Number of measured frames.
     pub frames: usize,
 }
 
-/// Frames until a tower of 18 rows stands still.
+/// Frames until a tower of 18 rows rests.
 const SETTLE: usize = 120;
-/// Frames until one of 60 rows does.
+/// Frames until a tower of 60 rows rests.
 const SETTLE_TALL: usize = 2400;
-/// Frames after which one of 60 rows still sways.
+/// Frames after which a tower of 60 rows still sways.
 const SWAY: usize = 600;
-/// Frames of a sweep before the drives begin, and during which they push.
+/// Frames of a sweep before the drives start, and frames of the drives.
 const SWEEP: (usize, usize) = (60, 12);
 
 impl Workload {
-    /// A full tower of `rows` rows and this stiffness, N/m, that stands and is kept awake.
+    /// Creates a full tower of `rows` rows and this stiffness (N/m) at rest with sleep disabled.
     ///
     /// # Errors
-    /// When there is no tower of so many rows.
-    pub fn awake(rows: u32, stiffness: f64, precision: Precision) -> Result<Self, Fault> {
-        let scene = tower(&TowerOptions { rows, ..TowerOptions::default() }).map_err(|e| e.to_string())?;
+    /// When the number of rows is out of range.
+    pub fn awake(rows: u32, stiffness: f64, precision: Precision) -> Result<Self, CostError> {
+        let scene = tower(&TowerOptions { rows, ..TowerOptions::default() })?;
         let scene = Scene { stiffness, ..scene };
         let format = if precision == Precision::Single { "f32" } else { "f64" };
         let name = match rows {
@@ -53,29 +61,31 @@ impl Workload {
         Ok(Self { name, scene, params, inputs: Vec::new(), settle, frames: 60 })
     }
 
-    /// The full tower of blocks of springs, as stiff as their contacts, that stands and is kept awake.
+    /// Creates the full tower of lattice blocks, as stiff as their contacts, at rest with sleep
+    /// disabled.
     ///
     /// # Errors
-    /// Never, for there is a tower of so many rows.
-    pub fn springs() -> Result<Self, Fault> {
+    /// Never: its tower is valid.
+    pub fn springs() -> Result<Self, CostError> {
         let rigid = Self::awake(18, 1e6, Precision::Single)?;
         Ok(Self { name: "springs, awake".into(), scene: Scene { form: Form::Lattice, ..rigid.scene }, ..rigid })
     }
 
-    /// A tower of 60 rows that sways by some millimetres a second, with the detection that this asks for.
+    /// Creates a tower of 60 rows that sways by some millimetres a second, which needs collision
+    /// detection.
     ///
     /// # Errors
-    /// Never, for there is a tower of so many rows.
-    pub fn swaying() -> Result<Self, Fault> {
+    /// Never: its tower is valid.
+    pub fn swaying() -> Result<Self, CostError> {
         Ok(Self { name: "swaying, 60 rows".into(), settle: SWAY, ..Self::awake(60, 1e6, Precision::Single)? })
     }
 
-    /// The tower that a game begins with, asleep.
+    /// Creates the default tower, asleep.
     ///
     /// # Errors
-    /// Never, for the scene is on the list.
-    pub fn asleep() -> Result<Self, Fault> {
-        let scene = teeter_scene::named("tower").ok_or("there is no tower in the list of scenes")?;
+    /// Never: the list has the scene.
+    pub fn asleep() -> Result<Self, CostError> {
+        let scene = teeter_scene::named("tower").ok_or(CostError::UnknownScene("tower"))?;
         Ok(Self {
             name: "asleep".into(),
             scene,
@@ -86,21 +96,21 @@ impl Workload {
         })
     }
 
-    /// A golden run from frame `settle` on, to its end.
+    /// Creates the part of a golden run from frame `settle` to its end.
     ///
     /// # Errors
-    /// When there is no such run or its files cannot be read.
-    pub fn golden(name: &str, settle: usize) -> Result<Self, Fault> {
+    /// When the run does not exist or its files cannot be read.
+    pub fn golden(name: &str, settle: usize) -> Result<Self, CostError> {
         let dir = Path::new(concat!(env!("CARGO_MANIFEST_DIR"), "/../../data/golden"));
         let run = runs(dir)?
             .into_iter()
             .find(|run| run.name == name)
-            .ok_or_else(|| format!("there is no golden run called {name}"))?;
+            .ok_or_else(|| CostError::UnknownRun(name.to_owned()))?;
         let frames = run.inputs.len() - settle;
         Ok(Self { name: name.into(), scene: run.scene, params: run.params, inputs: run.inputs, settle, frames })
     }
 
-    /// The same in other registers.
+    /// Sets the register width.
     #[must_use]
     pub fn in_width(mut self, width: Width) -> Self {
         self.name = format!("{}, {}", self.name, format!("{width:?}").to_lowercase());
@@ -108,32 +118,32 @@ impl Workload {
         self
     }
 
-    /// The same with so many measured frames.
+    /// Sets the number of measured frames.
     #[must_use]
     pub fn of_frames(self, frames: usize) -> Self {
         Self { frames, ..self }
     }
 
-    /// The world of its first frame.
+    /// Builds the world at the first frame.
     ///
     /// # Errors
     /// When the scene or a constant is not valid.
-    pub fn world(&self) -> Result<World, Fault> {
-        World::new(&self.scene, self.params).map_err(|e| format!("{}: {e}", self.name))
+    pub fn world(&self) -> Result<World, CostError> {
+        World::new(&self.scene, self.params).map_err(|error| CostError::World { workload: self.name.clone(), error })
     }
 
-    /// The world of its first measured frame.
+    /// Builds the world at the first measured frame.
     ///
     /// # Errors
     /// As [`Workload::world`].
-    pub fn settled(&self) -> Result<World, Fault> {
+    pub fn settled(&self) -> Result<World, CostError> {
         let mut world = self.world()?;
         let idle = Input::default();
         (0..self.settle).for_each(|frame| drop(world.step(self.inputs.get(frame).unwrap_or(&idle))));
         Ok(world)
     }
 
-    /// What acts in the measured frames.
+    /// Inputs of the measured frames.
     pub fn measured(&self) -> Vec<Input> {
         let mut inputs = self.inputs.get(self.settle..).unwrap_or_default().to_vec();
         inputs.resize(self.frames, Input::default());
@@ -141,12 +151,13 @@ impl Workload {
     }
 }
 
-/// A tower of `rows` rows of which the blocks of some rows are driven out at `speed`, m/s, until all has come down.
+/// Creates a tower of `rows` rows that collapses because the blocks of some rows are driven out at
+/// `speed`, m/s.
 ///
 /// # Errors
-/// When there is no tower of so many rows.
-pub fn swept(name: &str, rows: u32, driven: std::ops::Range<u32>, speed: f64) -> Result<Workload, Fault> {
-    let scene = tower(&TowerOptions { rows, ..TowerOptions::default() }).map_err(|e| e.to_string())?;
+/// When the number of rows is out of range.
+pub fn swept(name: &str, rows: u32, driven: std::ops::Range<u32>, speed: f64) -> Result<Workload, CostError> {
+    let scene = tower(&TowerOptions { rows, ..TowerOptions::default() })?;
     let drive = |body| Drive::new(BodyId(body), DVec3::new(speed, 0.25 * speed, 0.0));
     let mut inputs = vec![Input::default(); SWEEP.0];
     let drives = (3 * driven.start..3 * driven.end).map(drive).collect();
@@ -154,12 +165,14 @@ pub fn swept(name: &str, rows: u32, driven: std::ops::Range<u32>, speed: f64) ->
     Ok(Workload { name: name.into(), scene, params: Params::default(), inputs, settle: SWEEP.0, frames: 180 })
 }
 
-/// The workloads whose instructions are counted. Each names its registers, for the widest that a processor has would be another
-/// count on each, and valgrind knows none beyond AVX2; and each is short, for it takes fifty times as long.
+/// Returns the workloads whose instructions are counted.
+///
+/// Each has a fixed register width, because the widest one differs between processors and valgrind
+/// knows none beyond AVX2. Each is short, because it runs fifty times slower.
 ///
 /// # Errors
 /// When a golden run cannot be read.
-pub fn counted() -> Result<Vec<Workload>, Fault> {
+pub fn counted() -> Result<Vec<Workload>, CostError> {
     use Precision::{Double, Single};
     use Width::{Avx2, Portable, Sse2};
     Ok(vec![

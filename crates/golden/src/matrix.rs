@@ -1,29 +1,37 @@
-//! The matrix: every build and way to run, against every run.
+//! Matrix of builds and modes against runs.
 
 use std::fmt::Write;
 
-use crate::Golden;
+use crate::results::Golden;
 use crate::runs::Outcome;
 
-/// What came of one run in one build and way to run.
+/// Outcome of one run in one build and mode.
+///
+/// ```
+/// use teeter_golden::Cell;
+///
+/// let cell = Cell::parse("release, sse2\tmidgame\t-\t0123456789abcdef").expect("four fields");
+/// assert_eq!((cell.run.as_str(), cell.outcome.step_of_rest), ("midgame", None));
+/// ```
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Cell {
-    /// The build and way to run.
+    /// Build and mode.
     pub column: String,
     /// Name of the run.
     pub run: String,
-    /// What came of it.
+    /// Outcome of the run.
     pub outcome: Outcome,
 }
 
 impl Cell {
-    /// As a line: column, run, step of rest (`-` for none) and hash, with tabs between.
+    /// Formats the cell as a line: column, run, step of rest (`-` for none) and hash, separated by
+    /// tabs.
     pub fn line(&self) -> String {
         let rest = self.outcome.step_of_rest.map_or("-".to_owned(), |step| step.to_string());
         format!("{}\t{}\t{rest}\t{}", self.column, self.run, self.outcome.hash)
     }
 
-    /// From such a line.
+    /// Parses a line of [`Cell::line`].
     pub fn parse(line: &str) -> Option<Self> {
         let mut fields = line.split('\t');
         let (column, run, rest, hash) = (fields.next()?, fields.next()?, fields.next()?, fields.next()?);
@@ -36,7 +44,8 @@ impl Cell {
     }
 }
 
-/// The matrix for reading, and whether every cell is there and equal to the golden result. A cell that differs shows what it gave.
+/// Formats the matrix, and returns true with it if every cell is present and equal to the golden
+/// result. A cell that differs shows its hash.
 pub fn table(golden: &Golden, cells: &[Cell]) -> (String, bool) {
     let mut columns: Vec<&str> = Vec::new();
     for cell in cells {
@@ -45,10 +54,10 @@ pub fn table(golden: &Golden, cells: &[Cell]) -> (String, bool) {
         }
     }
     let mut out = String::new();
-    let mut all = !cells.is_empty();
+    let mut equal = !cells.is_empty();
     let mut row = |head: &str, fields: &mut dyn Iterator<Item = &str>| {
-        write!(out, "{head:26}").expect("a string takes all");
-        fields.for_each(|field| write!(out, "  {field:16}").expect("a string takes all"));
+        write!(out, "{head:26}").expect("writing to a string does not fail");
+        fields.for_each(|field| write!(out, "  {field:16}").expect("writing to a string does not fail"));
         out.truncate(out.trim_end().len());
         out.push('\n');
     };
@@ -71,8 +80,8 @@ pub fn table(golden: &Golden, cells: &[Cell]) -> (String, bool) {
                 None => "missing",
             })
             .collect();
-        all &= fields.iter().all(|&field| field == "equal");
+        equal &= fields.iter().all(|&field| field == "equal");
         row(column, &mut fields.into_iter());
     }
-    (out, all)
+    (out, equal)
 }

@@ -1,78 +1,94 @@
-//! What must come of the runs, and how that is changed.
+//! Golden results, and their replacement.
 
 use std::path::Path;
 
 use serde::{Deserialize, Serialize};
 use teeter_physics::Width;
 
+use crate::error::GoldenError;
+use crate::files::{read, write};
 use crate::runs::{Outcome, play_all, runs};
-use crate::{Fault, read, write};
 
-/// What came of one run.
+/// Golden result of one run.
+///
+/// ```
+/// use teeter_golden::{Minted, Outcome};
+///
+/// let outcome = Outcome { step_of_rest: None, hash: "0123456789abcdef".into() };
+/// let minted = Minted { name: "rest".into(), outcome };
+/// assert_eq!(minted.name, "rest");
+/// ```
 #[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
 pub struct Minted {
     /// Name of the run.
     pub name: String,
-    /// What came of it.
+    /// Outcome of the run.
     #[serde(flatten)]
     pub outcome: Outcome,
 }
 
-/// The golden results.
+/// Golden results.
+///
+/// ```no_run
+/// use std::path::Path;
+/// use teeter_golden::Golden;
+///
+/// let golden = Golden::read(Path::new("data/golden")).expect("minted results");
+/// println!("{}", golden.reason);
+/// ```
 #[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Golden {
-    /// Why they are not the ones that they were before.
+    /// Reason for the last change of the results.
     pub reason: String,
-    /// One a run, in the order of the runs.
+    /// Results in the order of the runs.
     pub runs: Vec<Minted>,
 }
 
 const FILE: &str = "hashes.json";
 
 impl Golden {
-    /// Those of a folder.
+    /// Reads the results of a folder.
     ///
     /// # Errors
-    /// When there are none, or the file is damaged.
-    pub fn read(dir: &Path) -> Result<Self, Fault> {
-        serde_json::from_str(&read(dir, FILE)?).map_err(|e| format!("{FILE}: {e}"))
+    /// When the file is missing or does not parse.
+    pub fn read(dir: &Path) -> Result<Self, GoldenError> {
+        serde_json::from_str(&read(dir, FILE)?).map_err(|e| GoldenError::file(FILE, e))
     }
 
-    /// The outcome of a run.
+    /// Returns the outcome of a run.
     pub fn outcome(&self, name: &str) -> Option<&Outcome> {
         self.runs.iter().find(|run| run.name == name).map(|run| &run.outcome)
     }
 }
 
-/// Words that a reason needs: fewer say nothing to who reads it later.
-const REASON_WORDS: usize = 4;
+/// Minimum number of words of a reason.
+const MIN_WORDS: usize = 4;
 
-/// The reason for which something committed may change, trimmed.
+/// Returns the trimmed reason for a change of committed data.
 ///
 /// # Errors
-/// When it is too short to be one, naming what it is that may not change without.
-pub fn reason<'a>(what: &str, text: &'a str) -> Result<&'a str, Fault> {
+/// When the text is too short, naming the `subject` that needs a reason.
+pub fn reason<'a>(subject: &str, text: &'a str) -> Result<&'a str, GoldenError> {
     let text = text.trim();
-    if text.split_whitespace().count() < REASON_WORDS {
-        return Err(format!(
-            "{what} may change for a reason only: say in {REASON_WORDS} words or more what changed them"
-        ));
+    if text.split_whitespace().count() < MIN_WORDS {
+        return Err(GoldenError::Reason { subject: subject.to_owned(), words: MIN_WORDS });
     }
     Ok(text)
 }
 
-/// Plays all runs and makes what comes of them the golden results; says which changed.
+/// Plays all runs, replaces the golden results, and returns the names of the changed runs.
 ///
 /// # Errors
-/// When the reason is not one, or when two widths disagree: that is a fault of the engine and nothing to mint.
-pub fn mint(dir: &Path, reason: &str) -> Result<Vec<String>, Fault> {
+/// When the reason is too short, or two register widths disagree, which is an error of the engine.
+pub fn mint(dir: &Path, reason: &str) -> Result<Vec<String>, GoldenError> {
     let reason = self::reason("the bits", reason)?;
     let runs = runs(dir)?;
     let outcomes = play_all(&runs, Width::Auto, 2)?;
-    for (run, (one, other)) in runs.iter().zip(outcomes.iter().zip(play_all(&runs, Width::Portable, 2)?)) {
-        if *one != other {
-            return Err(format!("nothing was minted: two widths disagree on run {}, {one:?} and {other:?}", run.name));
+    for (run, (first, second)) in runs.iter().zip(outcomes.iter().zip(play_all(&runs, Width::Portable, 2)?)) {
+        if *first != second {
+            let (first, second) = (first.hash.clone(), second.hash);
+            return Err(GoldenError::Disagreement { run: run.name.clone(), first, second });
         }
     }
     let before = Golden::read(dir).ok();
@@ -84,7 +100,7 @@ pub fn mint(dir: &Path, reason: &str) -> Result<Vec<String>, Fault> {
     let changed = minted.iter().filter(|m| before.as_ref().and_then(|b| b.outcome(&m.name)) != Some(&m.outcome));
     let changed = changed.map(|m| m.name.clone()).collect();
     let golden = Golden { reason: reason.to_owned(), runs: minted };
-    let text = serde_json::to_string_pretty(&golden).expect("texts and numbers can always be written");
+    let text = serde_json::to_string_pretty(&golden).expect("texts and numbers serialise");
     write(dir, FILE, &(text + "\n"))?;
     Ok(changed)
 }

@@ -1,4 +1,4 @@
-//! The runs, and playing them.
+//! Golden runs and their playback.
 
 use std::path::Path;
 
@@ -7,19 +7,20 @@ use serde::{Deserialize, Serialize};
 use teeter_physics::{Input, Params, Width, World};
 use teeter_scene::{Form, Scene, Springs};
 
-use crate::{Fault, read};
+use crate::error::GoldenError;
+use crate::files::read;
 
-/// One run as it stands in `runs.json`.
+/// Entry of `runs.json`.
 #[derive(Debug, Deserialize)]
 #[serde(deny_unknown_fields)]
 struct Entry {
     name: String,
-    /// A scene of the list.
+    /// Name of a scene of the list.
     scene: String,
-    /// Stiffness in place of the scene's own, N/m.
+    /// Stiffness that overrides that of the scene, N/m.
     #[serde(default)]
     stiffness: Option<f64>,
-    /// What the blocks are, and the springs within them.
+    /// Form of the blocks.
     #[serde(default)]
     form: Form,
     #[serde(default)]
@@ -27,55 +28,77 @@ struct Entry {
     #[serde(default)]
     params: Params,
     steps: u32,
-    /// A file with the input of one step a line; none acts after its end.
+    /// Name of a file with one line of input a step; the steps after its end have none.
     #[serde(default)]
     inputs: Option<String>,
 }
 
-/// A scene, the constants of a run, and the input of each step.
+/// Golden run: a scene, constants, and the input of each step.
+///
+/// ```
+/// use teeter_golden::Run;
+/// use teeter_physics::{Input, Params, Width};
+///
+/// let scene = teeter_scene::named("block").expect("the list has it");
+/// let run = Run { name: "block".into(), scene, params: Params::default(), inputs: vec![Input::default(); 10] };
+/// let outcome = run.play(Width::Portable).expect("a valid scene");
+/// assert_eq!(outcome, run.play(Width::Auto).expect("a valid scene"));
+/// ```
 #[derive(Debug, Clone)]
 pub struct Run {
-    /// What it is called.
+    /// Name of the run.
     pub name: String,
-    /// Where it begins.
+    /// Scene at the start.
     pub scene: Scene,
-    /// Constants.
+    /// Constants of the run.
     pub params: Params,
     /// Inputs of the steps.
     pub inputs: Vec<Input>,
 }
 
-/// What came of a run.
+/// Outcome of a run.
+///
+/// ```
+/// use teeter_golden::Outcome;
+///
+/// let outcome = Outcome { step_of_rest: Some(75), hash: format!("{:016x}", 7) };
+/// assert_eq!(outcome.hash.len(), 16);
+/// ```
 #[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Outcome {
-    /// The step since which all bodies have slept; none where one is awake at the end.
+    /// Step from which all bodies sleep; `None` if one is awake at the end.
     pub step_of_rest: Option<u32>,
-    /// Hash of the state after the last step, 16 hexadecimal digits. A bit that differs at any time is still in the poses at the end.
+    /// Hash of the state after the last step, 16 hexadecimal digits. A bit that differs at any time
+    /// still shows in the poses at the end.
     pub hash: String,
 }
 
-/// The runs of a folder.
+/// Reads the runs of a folder.
 ///
 /// # Errors
-/// When a file cannot be read, naming it.
-pub fn runs(dir: &Path) -> Result<Vec<Run>, Fault> {
-    let entries: Vec<Entry> = serde_json::from_str(&read(dir, "runs.json")?).map_err(|e| format!("runs.json: {e}"))?;
+/// Names the file that cannot be read or parsed.
+pub fn runs(dir: &Path) -> Result<Vec<Run>, GoldenError> {
+    let entries: Vec<Entry> =
+        serde_json::from_str(&read(dir, "runs.json")?).map_err(|e| GoldenError::file("runs.json", e))?;
     entries.into_iter().map(|entry| entry.load(dir)).collect()
 }
 
 impl Entry {
-    fn load(self, dir: &Path) -> Result<Run, Fault> {
+    fn load(self, dir: &Path) -> Result<Run, GoldenError> {
         let Entry { name, scene, stiffness, form, springs, params, steps, inputs } = self;
-        let mut scene =
-            teeter_scene::named(&scene).ok_or_else(|| format!("run {name}: there is no scene called `{scene}`"))?;
+        let Some(mut scene) = teeter_scene::named(&scene) else {
+            return Err(GoldenError::UnknownScene { run: name, scene });
+        };
         scene.stiffness = stiffness.unwrap_or(scene.stiffness);
         (scene.form, scene.springs) = (form, springs);
         let text = inputs.as_ref().map_or(Ok(String::new()), |file| read(dir, file))?;
         let mut inputs: Vec<Input> = Vec::new();
         for (i, line) in text.lines().enumerate() {
             let input = if line.is_empty() { Ok(Input::default()) } else { serde_json::from_str(line) };
-            inputs.push(input.map_err(|e| format!("run {name}: line {} of its inputs: {e}", i + 1))?);
+            let error =
+                |e: serde_json::Error| GoldenError::Input { run: name.clone(), line: i + 1, message: e.to_string() };
+            inputs.push(input.map_err(error)?);
         }
         inputs.resize(steps as usize, Input::default());
         Ok(Run { name, scene, params, inputs })
@@ -83,19 +106,20 @@ impl Entry {
 }
 
 impl Run {
-    /// The world that it begins with.
+    /// Builds the world at the start.
     ///
     /// # Errors
     /// When a constant is out of range.
-    pub fn world(&self, width: Width) -> Result<World, Fault> {
-        World::new(&self.scene, Params { width, ..self.params }).map_err(|e| format!("run {}: {e}", self.name))
+    pub fn world(&self, width: Width) -> Result<World, GoldenError> {
+        World::new(&self.scene, Params { width, ..self.params })
+            .map_err(|error| GoldenError::World { run: self.name.clone(), error })
     }
 
-    /// Steps to the end.
+    /// Plays the run to its end.
     ///
     /// # Errors
     /// As [`Run::world`].
-    pub fn play(&self, width: Width) -> Result<Outcome, Fault> {
+    pub fn play(&self, width: Width) -> Result<Outcome, GoldenError> {
         let mut world = self.world(width)?;
         let mut step_of_rest = None;
         for (i, input) in self.inputs.iter().enumerate() {
@@ -105,11 +129,15 @@ impl Run {
     }
 }
 
-/// Plays all runs, side by side in so many threads, which also share the towers of a field; the outcomes in the order of the runs.
+/// Plays all runs in parallel on `threads` threads, which also share the clusters of a world, and
+/// returns the outcomes in the order of the runs.
 ///
 /// # Errors
-/// As [`Run::world`].
-pub fn play_all(runs: &[Run], width: Width, threads: usize) -> Result<Vec<Outcome>, Fault> {
-    let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().map_err(|e| e.to_string())?;
+/// As [`Run::world`], or when the thread pool cannot be created.
+pub fn play_all(runs: &[Run], width: Width, threads: usize) -> Result<Vec<Outcome>, GoldenError> {
+    let pool = rayon::ThreadPoolBuilder::new()
+        .num_threads(threads)
+        .build()
+        .map_err(|e| GoldenError::Threads(e.to_string()))?;
     pool.install(|| runs.par_iter().map(|run| run.play(width)).collect())
 }

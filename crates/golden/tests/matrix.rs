@@ -1,4 +1,5 @@
-//! The golden results, in every way that this build can run. `tools/golden check` adds the other builds, and node plays the same runs.
+//! Golden results in every mode of this build. `tools/golden check` adds the other builds, and node
+//! plays the same runs.
 
 use std::path::{Path, PathBuf};
 
@@ -18,7 +19,7 @@ fn run(name: &str) -> Run {
     golden_runs().into_iter().find(|run| run.name == name).unwrap()
 }
 
-/// Each run gives its golden result.
+/// Asserts that each run reproduces its golden result.
 fn check(width: Width, threads: usize) {
     let golden = Golden::read(&dir()).unwrap();
     let runs = golden_runs();
@@ -38,7 +39,7 @@ fn check(width: Width, threads: usize) {
 }
 
 #[test]
-fn plain_numbers_give_the_golden_results() {
+fn portable_gives_the_golden_results() {
     check(Width::Portable, 1);
 }
 
@@ -47,13 +48,13 @@ fn sse2_gives_the_golden_results() {
     check(Width::Sse2, 1);
 }
 
-/// On a processor without AVX2 this is SSE2 once more.
+/// A processor without AVX2 repeats SSE2.
 #[test]
 fn avx2_gives_the_golden_results() {
     check(Width::Avx2, 1);
 }
 
-/// On a processor without AVX-512 this is a narrower one once more.
+/// A processor without AVX-512 repeats a narrower width.
 #[test]
 fn avx512_gives_the_golden_results() {
     check(Width::Avx512, 1);
@@ -65,7 +66,7 @@ fn two_and_five_threads_give_the_golden_results() {
     check(Width::Auto, 5);
 }
 
-/// A world steps with the same bits whichever thread has it, in turn with others.
+/// A world steps with the same bits on any thread, in turn with others.
 #[test]
 fn a_world_may_change_threads_between_steps() {
     let run = run("collapse");
@@ -82,10 +83,10 @@ fn a_world_may_change_threads_between_steps() {
     assert!(worlds.iter().all(|world| world.hash() == alone.hash()));
 }
 
-/// What the host has set for its thread: subnormals to zero on both sides, rounding towards zero.
+/// Modes of the host thread: subnormals to zero in both directions, rounding towards zero.
 #[cfg(target_arch = "x86_64")]
 #[test]
-fn the_mode_of_the_host_does_not_matter() {
+fn the_float_mode_of_the_host_changes_no_bit() {
     use std::arch::asm;
 
     fn set(value: u32) {
@@ -110,7 +111,7 @@ fn the_mode_of_the_host_does_not_matter() {
             assert_eq!(outcome.as_ref().ok(), golden.outcome(&run.name));
         }
     }
-    // the golden runs hold no subnormal number, and this one little else
+    // The golden runs have no subnormal number; this one has little else.
     let hash = |mode: u32| {
         let mut scene = teeter_scene::named("block").unwrap();
         scene.blocks[0].pos[2] += 1.0;
@@ -125,7 +126,7 @@ fn the_mode_of_the_host_does_not_matter() {
     assert_eq!(hash(0), hash(1 << 6 | 1 << 15));
 }
 
-/// The runs do what they are there for.
+/// The runs rest, fall and put a block on top.
 #[test]
 fn the_runs_rest_fall_and_put_a_block_on_top() {
     let positions = |world: &World| -> Vec<DVec3> { world.bodies().map(|body| world.pose(body).position).collect() };
@@ -156,7 +157,7 @@ fn the_runs_rest_fall_and_put_a_block_on_top() {
 }
 
 #[test]
-fn five_kinds_of_run_and_one_in_double_precision_come_to_their_end() {
+fn runs_come_to_rest_and_one_has_double_precision() {
     let golden = Golden::read(&dir()).unwrap();
     assert!(golden.runs.len() >= 6);
     assert!(golden_runs().iter().any(|run| run.params.precision == Precision::Double));
@@ -166,16 +167,16 @@ fn five_kinds_of_run_and_one_in_double_precision_come_to_their_end() {
 }
 
 #[test]
-fn minting_asks_for_a_reason() {
+fn minting_needs_a_reason() {
     let before = std::fs::read(dir().join("hashes.json")).unwrap();
     for reason in ["", "  ", "faster", "a b c"] {
-        assert!(mint(&dir(), reason).unwrap_err().contains("reason"));
+        assert!(mint(&dir(), reason).unwrap_err().to_string().contains("reason"));
     }
     assert_eq!(std::fs::read(dir().join("hashes.json")).unwrap(), before);
 }
 
 #[test]
-fn the_matrix_shows_what_differs_and_what_is_missing() {
+fn the_matrix_shows_different_and_missing_cells() {
     let golden = Golden::read(&dir()).unwrap();
     let cells = |column: &str| -> Vec<Cell> {
         let cell =

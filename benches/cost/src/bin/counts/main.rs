@@ -1,5 +1,5 @@
-//! `counts`: counts the instructions of the workloads and compares them with the accepted ones. `tools/counts` calls it from the root of
-//! the repository.
+//! `counts`: counts the instructions of the workloads and compares them with the accepted ones.
+//! `tools/counts` calls it in the root of the repository.
 
 mod callgrind;
 
@@ -7,54 +7,54 @@ use std::path::Path;
 use std::process::ExitCode;
 
 use rayon::prelude::*;
-use teeter_cost::{Baseline, COMPILER, Count, Fault, Workload, compare, counted};
+use teeter_cost::{Baseline, COMPILER, CostError, Count, Workload, compare, counted};
 
 fn main() -> ExitCode {
     let args: Vec<String> = std::env::args().skip(1).collect();
     match run(Path::new("data/baselines/instructions.json"), &args.iter().map(String::as_str).collect::<Vec<_>>()) {
-        Ok(good) => ExitCode::from(u8::from(!good)),
-        Err(fault) => {
-            eprintln!("counts: {fault}");
+        Ok(passed) => ExitCode::from(u8::from(!passed)),
+        Err(error) => {
+            eprintln!("counts: {error}");
             ExitCode::from(2)
         }
     }
 }
 
-/// Whether all is as it should be.
-fn run(file: &Path, args: &[&str]) -> Result<bool, Fault> {
+/// Runs a command, and returns false if a check fails.
+fn run(file: &Path, args: &[&str]) -> Result<bool, CostError> {
     match args {
         ["check"] => check(file),
         ["accept", reason] => accept(file, reason).map(|()| true),
         ["play", name, state] => {
-            let workload = counted()?.into_iter().find(|w| w.name == *name).ok_or("there is no such workload")?;
+            let workload = counted()?.into_iter().find(|w| w.name == *name).ok_or(CostError::UnknownWorkload)?;
             let (substeps, hash) = callgrind::play(&workload, Path::new(state))?;
             println!("{substeps} {hash}");
             Ok(true)
         }
-        _ => Err("expected check or accept \"the reason\"".into()),
+        _ => Err(CostError::Usage("expected check or accept \"the reason\"".into())),
     }
 }
 
-fn check(file: &Path) -> Result<bool, Fault> {
+fn check(file: &Path) -> Result<bool, CostError> {
     let baseline = Baseline::read(file)?;
-    let (workloads, left_out) = playable()?;
-    let comparison = compare(Some(&baseline), &count_all(&workloads)?, COMPILER, &left_out);
+    let (workloads, unavailable) = playable()?;
+    let comparison = compare(Some(&baseline), &count_all(&workloads)?, COMPILER, &unavailable);
     print!("{}", comparison.table);
     comparison.notes.iter().for_each(|note| println!("{note}"));
-    comparison.faults.iter().for_each(|fault| println!("FAULT {fault}"));
-    match comparison.faults.as_slice() {
+    comparison.failures.iter().for_each(|failure| println!("FAILED {failure}"));
+    match comparison.failures.as_slice() {
         [] => println!("nothing costs more than it may"),
         _ => println!("If this is meant: tools/counts accept \"what made it so\""),
     }
-    Ok(comparison.faults.is_empty())
+    Ok(comparison.failures.is_empty())
 }
 
-/// Makes the counts of now the accepted ones.
-fn accept(file: &Path, reason: &str) -> Result<(), Fault> {
+/// Replaces the accepted counts.
+fn accept(file: &Path, reason: &str) -> Result<(), CostError> {
     let reason = teeter_golden::reason("the counts", reason)?.to_owned();
-    let (workloads, left_out) = playable()?;
-    if !left_out.is_empty() {
-        return Err(format!("nothing was accepted: this processor cannot play {}", left_out.join("; ")));
+    let (workloads, unavailable) = playable()?;
+    if !unavailable.is_empty() {
+        return Err(CostError::Unavailable(unavailable.join("; ")));
     }
     let counts = count_all(&workloads)?;
     let before = Baseline::read(file).ok();
@@ -68,15 +68,15 @@ fn accept(file: &Path, reason: &str) -> Result<(), Fault> {
     Ok(())
 }
 
-/// The workloads that this processor can play, and the names of the others: it would take narrower registers for them, and the count would
-/// be that of another program.
-fn playable() -> Result<(Vec<Workload>, Vec<String>), Fault> {
+/// Returns the workloads that this processor can play, and the names of the others. With narrower
+/// registers the count would be that of another program.
+fn playable() -> Result<(Vec<Workload>, Vec<String>), CostError> {
     let (playable, others): (Vec<_>, Vec<_>) =
         counted()?.into_iter().partition(|workload| workload.params.width.available());
     Ok((playable, others.into_iter().map(|workload| workload.name).collect()))
 }
 
-/// Counts all of them, as many side by side as there are cores: a count does not depend on what runs beside it.
-fn count_all(workloads: &[Workload]) -> Result<Vec<Count>, Fault> {
+/// Counts workloads in parallel on all cores; counts do not depend on the load of the machine.
+fn count_all(workloads: &[Workload]) -> Result<Vec<Count>, CostError> {
     workloads.par_iter().map(callgrind::count).collect()
 }

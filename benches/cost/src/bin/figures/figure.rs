@@ -1,73 +1,73 @@
-//! From times to figures.
+//! Figures computed from times.
 
-use teeter_cost::{Stretch, quartiles};
+use teeter_cost::{Measurement, quartiles};
 
 use crate::measure::{Timed, name};
 
-/// What a figure should be.
+/// Goal of a figure.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Goal {
-    /// It is for information.
+    /// No goal.
     None,
-    /// No more than this.
+    /// Maximum.
     AtMost(f64),
-    /// No less than this.
+    /// Minimum.
     AtLeast(f64),
-    /// This, give or take a twentieth; less is as good.
+    /// Value within 5 %, or less.
     About(f64),
 }
 
 impl Goal {
-    /// Whether a figure is what it should be; none where there is no goal.
+    /// Returns true if a figure meets the goal; `None` without a goal.
     pub fn met(self, value: f64) -> Option<bool> {
         match self {
             Goal::None => None,
-            Goal::AtMost(most) => Some(value <= most),
-            Goal::AtLeast(least) => Some(value >= least),
+            Goal::AtMost(max) => Some(value <= max),
+            Goal::AtLeast(min) => Some(value >= min),
             Goal::About(about) => Some(value <= 1.05 * about),
         }
     }
 }
 
-/// A line of the table.
+/// Row of the table.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Figure {
-    /// What it is of.
+    /// Label.
     pub of: String,
-    /// What it should be.
+    /// Goal.
     pub goal: Goal,
-    /// Its unit after a space, empty for a ratio.
+    /// Unit after a space, empty for a ratio.
     pub unit: &'static str,
     /// Quartiles over the rounds.
     pub quartiles: [f64; 3],
-    /// What it is where that is not the median of the rounds.
+    /// Value where it is not the median of the rounds.
     value: Option<f64>,
-    /// Hash of the state at the end of what was measured.
+    /// Hashes of the final states.
     pub hash: String,
 }
 
 impl Figure {
-    /// What it is.
+    /// Value of the figure.
     pub fn value(&self) -> f64 {
         self.value.unwrap_or(self.quartiles[1])
     }
 
-    /// The same in another unit.
+    /// Converts the figure to another unit.
     fn times(self, factor: f64, unit: &'static str) -> Self {
         Self { unit, quartiles: self.quartiles.map(|q| q * factor), value: self.value.map(|v| v * factor), ..self }
     }
 }
 
-/// All figures, in the order of the table.
+/// Returns all figures in the order of the table.
 pub fn figures(timed: &[Timed]) -> Vec<Figure> {
     use Goal::{About, AtLeast, AtMost};
     use name::*;
-    let of = |what: &str, way: &str| {
-        timed.iter().find(|t| t.what == what && t.way == way).expect("everything on the list is timed")
+    let of = |workload: &str, mode: &str| {
+        timed.iter().find(|t| t.workload == workload && t.mode == mode).expect("every workload of the list is timed")
     };
-    let native = |what: &str| of(what, NATIVE);
-    let one = |what: &str| of(what, ONE_THREAD);
-    let two = |what: &str| of(what, TWO_THREADS);
+    let native = |workload: &str| of(workload, NATIVE);
+    let one = |workload: &str| of(workload, ONE_THREAD);
+    let two = |workload: &str| of(workload, TWO_THREADS);
     vec![
         frame("full tower awake, a frame, native", native(AWAKE)),
         frame("the same in registers no wider than AVX2", of(AWAKE, AVX2)),
@@ -110,13 +110,13 @@ pub fn figures(timed: &[Timed]) -> Vec<Figure> {
 }
 
 /// Processor time of a frame, ms.
-fn per_frame(stretch: &Stretch) -> f64 {
-    stretch.cpu / stretch.frames.len() as f64
+fn per_frame(measurement: &Measurement) -> f64 {
+    measurement.cpu / measurement.frames.len() as f64
 }
 
-/// What a frame takes of the processor.
+/// Figure of the processor time of a frame.
 fn frame(of: &str, timed: &Timed) -> Figure {
-    let frames: Vec<f64> = timed.stretches.iter().map(per_frame).collect();
+    let frames: Vec<f64> = timed.measurements.iter().map(per_frame).collect();
     Figure {
         of: of.into(),
         goal: Goal::None,
@@ -127,71 +127,78 @@ fn frame(of: &str, timed: &Timed) -> Figure {
     }
 }
 
-/// What a second of 60 frames takes of the processor.
+/// Figure of the processor time of a second of 60 frames.
 fn second(of: &str, goal: Goal, timed: &Timed) -> Figure {
     Figure { goal, ..frame(of, timed).times(60.0, " ms") }
 }
 
-/// The ratio of what a frame takes of the processor, of both in the same round.
+/// Figure of the ratio of the processor times of a frame in the same round.
 fn ratio(of: &str, goal: Goal, over: &Timed, under: &Timed) -> Figure {
     let ratios: Vec<f64> =
-        over.stretches.iter().zip(&under.stretches).map(|(a, b)| per_frame(a) / per_frame(b)).collect();
+        over.measurements.iter().zip(&under.measurements).map(|(a, b)| per_frame(a) / per_frame(b)).collect();
     Figure { of: of.into(), goal, unit: "", quartiles: quartiles(&ratios), value: None, hash: hashes(&[over, under]) }
 }
 
-/// The frame that takes longest. A frame takes the least of what it took in any round: it is the same work each time, and the rest is what
-/// else the machine did. The quartiles are those of the same frame over the rounds.
+/// Figure of the slowest frame.
+///
+/// The time of a frame is its minimum over the rounds, because the work is the same each time and
+/// the rest is load of the machine. The quartiles are those of the same frame over the rounds.
 fn worst(of: &str, goal: Goal, timed: &Timed) -> Figure {
-    let least = least(timed);
-    let frame = (0..least.len()).max_by(|&a, &b| least[a].total_cmp(&least[b])).expect("a workload has frames");
-    let rounds: Vec<f64> = timed.stretches.iter().map(|stretch| stretch.frames[frame]).collect();
+    let min = min_frames(timed);
+    let frame = (0..min.len()).max_by(|&a, &b| min[a].total_cmp(&min[b])).expect("a workload has frames");
+    let rounds: Vec<f64> = timed.measurements.iter().map(|measurement| measurement.frames[frame]).collect();
     Figure {
         of: of.into(),
         goal,
         unit: " ms",
         quartiles: quartiles(&rounds),
-        value: Some(least[frame]),
+        value: Some(min[frame]),
         hash: hashes(&[timed]),
     }
 }
 
-/// How much longer a frame takes by the clock on the wall: the frame that took least of one over that of the other, for they are all the
-/// same work. The quartiles are those of the rounds.
+/// Figure of the speed-up in wall-clock time: the ratio of the fastest frames, because all frames
+/// are the same work. The quartiles are those of the rounds.
 fn speedup(of: &str, goal: Goal, slow: &Timed, fast: &Timed) -> Figure {
-    let sum = |stretch: &Stretch| stretch.frames.iter().sum::<f64>();
-    let ratios: Vec<f64> = slow.stretches.iter().zip(&fast.stretches).map(|(a, b)| sum(a) / sum(b)).collect();
-    let shortest = |timed: &Timed| least(timed).into_iter().fold(f64::INFINITY, f64::min);
+    let sum = |measurement: &Measurement| measurement.frames.iter().sum::<f64>();
+    let ratios: Vec<f64> = slow.measurements.iter().zip(&fast.measurements).map(|(a, b)| sum(a) / sum(b)).collect();
+    let shortest = |timed: &Timed| min_frames(timed).into_iter().fold(f64::INFINITY, f64::min);
     let value = Some(shortest(slow) / shortest(fast));
     Figure { of: of.into(), goal, unit: "", quartiles: quartiles(&ratios), value, hash: hashes(&[slow, fast]) }
 }
 
-/// The least that each frame took in any round, ms.
-fn least(timed: &Timed) -> Vec<f64> {
-    let frames = 0..timed.stretches[0].frames.len();
-    frames.map(|i| timed.stretches.iter().map(|stretch| stretch.frames[i]).fold(f64::INFINITY, f64::min)).collect()
+/// Returns the minimum time of each frame over the rounds, ms.
+fn min_frames(timed: &Timed) -> Vec<f64> {
+    let frames = 0..timed.measurements[0].frames.len();
+    frames
+        .map(|i| timed.measurements.iter().map(|measurement| measurement.frames[i]).fold(f64::INFINITY, f64::min))
+        .collect()
 }
 
-/// The hashes of what was timed, each once.
+/// Formats the hashes of measurements, each once.
 fn hashes(timed: &[&Timed]) -> String {
-    let mut hashes: Vec<&str> = timed.iter().map(|t| t.stretches[0].hash.as_str()).collect();
+    let mut hashes: Vec<&str> = timed.iter().map(|t| t.measurements[0].hash.as_str()).collect();
     hashes.dedup();
     hashes.join(", ")
 }
 
 #[cfg(test)]
 mod tests {
+    use teeter_cost::CostError;
+
     use super::*;
 
-    fn timed(way: &'static str, rounds: &[&[f64]]) -> Timed {
-        let mut timed = Timed::new("it", way, || Err("it is not played".into()));
-        let stretch = |frames: &[f64]| Stretch { cpu: frames.iter().sum(), frames: frames.to_vec(), hash: way.into() };
-        timed.stretches = rounds.iter().map(|frames| stretch(frames)).collect();
+    fn timed(mode: &'static str, rounds: &[&[f64]]) -> Timed {
+        let mut timed = Timed::new("it", mode, || Err(CostError::UnknownWorkload));
+        let measurement =
+            |frames: &[f64]| Measurement { cpu: frames.iter().sum(), frames: frames.to_vec(), hash: mode.into() };
+        timed.measurements = rounds.iter().map(|frames| measurement(frames)).collect();
         timed
     }
 
     #[test]
-    fn the_worst_frame_is_the_worst_of_the_least() {
-        // disturbed in another frame each round
+    fn the_slowest_frame_is_the_maximum_of_the_minima() {
+        // Each round is disturbed in another frame.
         let it = timed("a", &[&[1.0, 2.0, 90.0], &[70.0, 2.2, 1.0], &[1.0, 80.0, 1.5]]);
         let figure = worst("it", Goal::AtMost(2.0), &it);
         assert_eq!((figure.value(), figure.quartiles[1]), (2.0, 2.2));
@@ -200,7 +207,7 @@ mod tests {
     }
 
     #[test]
-    fn a_ratio_is_that_of_frames_in_the_same_round() {
+    fn a_ratio_compares_frames_of_the_same_round() {
         let (over, under) =
             (timed("a", &[&[4.0], &[40.0], &[9.0]]), timed("b", &[&[1.0, 3.0], &[10.0, 30.0], &[1.0, 2.0]]));
         let figure = ratio("it", Goal::None, &over, &under);
@@ -209,7 +216,7 @@ mod tests {
     }
 
     #[test]
-    fn a_speedup_leaves_out_what_disturbed_it() {
+    fn a_speedup_ignores_disturbed_rounds() {
         let (slow, fast) = (timed("a", &[&[4.1, 4.0], &[7.0, 50.0]]), timed("a", &[&[9.0, 60.0], &[2.0, 3.0]]));
         assert_eq!(speedup("it", Goal::AtLeast(1.9), &slow, &fast).value(), 2.0);
     }

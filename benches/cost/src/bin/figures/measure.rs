@@ -1,14 +1,14 @@
-//! What is timed, and timing it round by round: whatever else the machine does hits all alike.
+//! Timing round by round, so that the load of the machine affects all workloads alike.
 
 use std::cell::RefCell;
 use std::rc::Rc;
 
-use teeter_cost::{Clocked, Fault, Node, Stretch, Workload, one_thread, swept};
+use teeter_cost::{Clocked, CostError, Measurement, Node, Workload, one_thread, swept};
 use teeter_physics::{Precision, Width};
 
 use crate::field::{Field, threads};
 
-/// The names under which figures find what was timed.
+/// Names of workloads and modes.
 pub mod name {
     pub const AWAKE: &str = "awake";
     pub const SPRINGS: &str = "springs";
@@ -31,32 +31,36 @@ pub mod name {
     pub const TWO_THREADS: &str = "two threads";
 }
 
-/// A workload in one way to run, and how long it took.
+/// Workload in one mode, with its measurements.
 pub struct Timed {
-    /// What is played: all that play the same end in the same state.
-    pub what: &'static str,
-    /// How.
-    pub way: &'static str,
-    /// Plays it once.
-    play: Box<dyn FnMut() -> Result<Stretch, Fault>>,
-    /// One a round.
-    pub stretches: Vec<Stretch>,
+    /// Name of the workload. All modes of a workload end in the same state.
+    pub workload: &'static str,
+    /// Name of the mode.
+    pub mode: &'static str,
+    /// Playback of the measured frames.
+    play: Box<dyn FnMut() -> Result<Measurement, CostError>>,
+    /// Measurements, one a round.
+    pub measurements: Vec<Measurement>,
 }
 
 impl Timed {
-    /// Not yet timed.
-    pub fn new(what: &'static str, way: &'static str, play: impl FnMut() -> Result<Stretch, Fault> + 'static) -> Self {
-        Self { what, way, play: Box::new(play), stretches: Vec::new() }
+    /// Creates a workload without measurements.
+    pub fn new(
+        workload: &'static str,
+        mode: &'static str,
+        play: impl FnMut() -> Result<Measurement, CostError> + 'static,
+    ) -> Self {
+        Self { workload, mode, play: Box::new(play), measurements: Vec::new() }
     }
 }
 
-/// Everything that is timed, settled. What is not said to have more threads has one.
-pub fn all() -> Result<Vec<Timed>, Fault> {
+/// Returns all workloads, settled. Modes have one thread unless they name more.
+pub fn all() -> Result<Vec<Timed>, CostError> {
     one_thread()?;
     let mut timed = Vec::new();
     let builds = [name::SIMD128, name::SCALAR];
     let nodes: Vec<_> =
-        builds.iter().map(|build| Ok(Rc::new(RefCell::new(Node::start(build)?)))).collect::<Result<_, Fault>>()?;
+        builds.iter().map(|build| Ok(Rc::new(RefCell::new(Node::start(build)?)))).collect::<Result<_, CostError>>()?;
     let workloads = [
         (name::AWAKE, Workload::awake(18, 1e6, Precision::Single)?, 2),
         (name::SPRINGS, Workload::springs()?, 1),
@@ -68,14 +72,14 @@ pub fn all() -> Result<Vec<Timed>, Fault> {
         (name::ROWS_60, Workload::awake(60, 1e6, Precision::Single)?, 0),
         (name::SWAYING, Workload::swaying()?, 0),
     ];
-    for (what, workload, in_wasm) in &workloads {
-        eprintln!("{what} settles");
+    for (name, workload, in_wasm) in &workloads {
+        eprintln!("{name} settles");
         let mut clocked = Clocked::new(workload)?;
-        timed.push(Timed::new(what, name::NATIVE, move || clocked.play()));
+        timed.push(Timed::new(name, name::NATIVE, move || clocked.play()));
         for (node, build) in nodes.iter().zip(builds).take(*in_wasm) {
             let node = Rc::clone(node);
             let number = node.borrow_mut().prepare(workload)?;
-            timed.push(Timed::new(what, build, move || node.borrow_mut().play(number)));
+            timed.push(Timed::new(name, build, move || node.borrow_mut().play(number)));
         }
     }
     let mut clocked = Clocked::new(&Workload::awake(18, 1e6, Precision::Single)?.in_width(Width::Avx2))?;
@@ -87,24 +91,25 @@ pub fn all() -> Result<Vec<Timed>, Fault> {
         (name::APART_200, Field::apart(200, &two)?, &[(name::ONE_THREAD, &one)][..]),
         (name::TOGETHER_200, Field::together(200, &two)?, &[(name::ONE_THREAD, &one)][..]),
     ];
-    for (what, field, ways) in fields {
-        for &(way, pool) in ways {
+    for (name, field, modes) in fields {
+        for &(mode, pool) in modes {
             let (mut field, pool) = (field.clone(), Rc::clone(pool));
-            timed.push(Timed::new(what, way, move || field.play(&pool)));
+            timed.push(Timed::new(name, mode, move || field.play(&pool)));
         }
     }
     Ok(timed)
 }
 
-/// Plays everything in turn, each round beginning with another. A round before the first is not counted: caches fill in it, and node compiles.
-pub fn rounds(timed: &mut [Timed], rounds: usize) -> Result<(), Fault> {
+/// Plays all workloads in turn, each round starting with another. A first round is not counted: it
+/// fills caches, and node compiles.
+pub fn rounds(timed: &mut [Timed], rounds: usize) -> Result<(), CostError> {
     let all = timed.len();
     for round in 0..=rounds {
         for turn in 0..all {
             let timed = &mut timed[(round + turn) % all];
-            let stretch = (timed.play)()?;
+            let measurement = (timed.play)()?;
             if round > 0 {
-                timed.stretches.push(stretch);
+                timed.measurements.push(measurement);
             }
         }
         eprintln!("round {round} of {rounds}");
@@ -112,13 +117,22 @@ pub fn rounds(timed: &mut [Timed], rounds: usize) -> Result<(), Fault> {
     Ok(())
 }
 
-/// Makes sure that all that play the same end in the same state, each time.
-pub fn same_bits(timed: &[Timed]) -> Result<(), Fault> {
+/// Checks that all modes of a workload end in the same state.
+///
+/// # Errors
+/// Names the first two modes that differ.
+pub fn same_bits(timed: &[Timed]) -> Result<(), CostError> {
     for it in timed {
-        let first = timed.iter().find(|other| other.what == it.what).unwrap_or(it);
-        let hash = &first.stretches[0].hash;
-        if let Some(other) = it.stretches.iter().find(|stretch| stretch.hash != *hash) {
-            return Err(format!("{}: {} ends in {hash} and {} in {}", it.what, first.way, it.way, other.hash));
+        let first = timed.iter().find(|other| other.workload == it.workload).unwrap_or(it);
+        let hash = &first.measurements[0].hash;
+        if let Some(other) = it.measurements.iter().find(|measurement| measurement.hash != *hash) {
+            return Err(CostError::Disagreement {
+                workload: it.workload.into(),
+                first: first.mode.into(),
+                hash: hash.clone(),
+                second: it.mode.into(),
+                other: other.hash.clone(),
+            });
         }
     }
     Ok(())

@@ -1,4 +1,4 @@
-//! The table.
+//! Table of figures.
 
 use std::fmt::Write;
 
@@ -10,15 +10,15 @@ const HEAD: &str = "\
 | figure | goal | measured (quartiles of the rounds) | met | state |
 |---|---|--:|---|---|";
 
-/// The table and what it was measured with, in Markdown.
+/// Formats the table, the processor and the compilers as Markdown.
 pub fn markdown(figures: &[Figure], rounds: usize) -> String {
     let mut text = format!("{HEAD}\n");
     for figure in figures {
         let unit = figure.unit;
         let goal = match figure.goal {
             Goal::None => String::new(),
-            Goal::AtMost(most) => format!("at most {most}{unit}"),
-            Goal::AtLeast(least) => format!("at least {least}{unit}"),
+            Goal::AtMost(max) => format!("at most {max}{unit}"),
+            Goal::AtLeast(min) => format!("at least {min}{unit}"),
             Goal::About(about) => format!("{about}{unit}, give or take 5 %"),
         };
         let met = figure.goal.met(figure.value()).map_or("", |met| if met { "yes" } else { "no" });
@@ -26,27 +26,28 @@ pub fn markdown(figures: &[Figure], rounds: usize) -> String {
         let Figure { of, hash, .. } = figure;
         let (value, low, high) = (short(figure.value()), short(low), short(high));
         writeln!(text, "| {of} | {goal} | {value}{unit} ({low} to {high}) | {met} | {hash} |")
-            .expect("a string takes all");
+            .expect("writing to a string does not fail");
     }
     let node = std::process::Command::new("node").arg("--version").output();
-    let node = node.map_or(String::new(), |told| String::from_utf8_lossy(&told.stdout).trim().to_owned());
-    write!(text, "\n{}, {COMPILER}, node {node}, {rounds} rounds.", processor()).expect("a string takes all");
+    let node = node.map_or(String::new(), |output| String::from_utf8_lossy(&output.stdout).trim().to_owned());
+    write!(text, "\n{}, {COMPILER}, node {node}, {rounds} rounds.", processor())
+        .expect("writing to a string does not fail");
     text
 }
 
-/// Three digits or a little more.
+/// Formats a number with three digits or a few more.
 fn short(value: f64) -> String {
     if value < 10.0 { format!("{value:.3}") } else { format!("{value:.1}") }
 }
 
-/// Name of the processor, as the system gives it.
+/// Returns the name of the processor.
 fn processor() -> String {
     let info = std::fs::read_to_string("/proc/cpuinfo").unwrap_or_default();
     let name = info.lines().find_map(|line| line.strip_prefix("model name")?.split_once(": "));
     name.map_or("a processor without a name", |(_, name)| name.trim()).to_owned()
 }
 
-/// `page` with the part between the marks of this table replaced.
+/// Replaces the part of `page` between the marks of this table; `None` without marks.
 pub fn with_table(page: &str, table: &str) -> Option<String> {
     let (begin, end) = ("<!-- table: written by tools/figures -->\n", "<!-- end of table -->");
     let (head, rest) = page.split_once(begin)?;
