@@ -1,7 +1,8 @@
 //! Box3D, through its C interface.
 //!
-//! Its tolerances are for things of about a metre, so the scene is made larger, density kept: lengths and gravity grow by the scale, masses by
-//! its third power and forces by its fourth; times stay as they are.
+//! Its tolerances are for bodies of about a metre, so the scene is scaled at constant density:
+//! lengths and gravity by the scale, masses by its third power and forces by its fourth. Times stay
+//! the same.
 
 use box3d_sys as b3;
 use glam::{DQuat, DVec3};
@@ -9,22 +10,22 @@ use teeter_scene::Scene;
 
 use crate::engine::{Engine, FRAME, Pull};
 
-/// What is changed from the defaults of `b3WorldDef`, and the substeps.
+/// Changes from the defaults of `b3WorldDef`, and the number of substeps.
 #[derive(Debug, Clone, Copy)]
 pub struct Setting {
     /// Name in the table.
     pub name: &'static str,
-    /// Units of the engine in a metre of the scene.
+    /// Length units of the engine in a metre of the scene.
     pub scale: f64,
-    /// Steps in a frame of 1/60 s.
+    /// Number of steps in a frame of 1/60 s.
     pub steps: usize,
-    /// Substeps in a step.
+    /// Number of substeps in a step.
     pub substeps: i32,
-    /// `contactHertz`, Hz; the default where absent.
+    /// `contactHertz`, Hz. Defaults to that of Box3D.
     pub contact_hertz: Option<f32>,
 }
 
-/// What is measured.
+/// Measured settings.
 pub const SETTINGS: [Setting; 3] = [
     Setting { name: "default", scale: 10.0, steps: 1, substeps: 4, contact_hertz: None },
     Setting { name: "best", scale: 100.0, steps: 2, substeps: 16, contact_hertz: Some(480.0) },
@@ -33,7 +34,7 @@ pub const SETTINGS: [Setting; 3] = [
 
 impl Setting {
     fn world(&self) -> b3::b3WorldDef {
-        // SAFETY: it takes nothing and returns a plain value
+        // SAFETY: the function has no arguments and returns a plain value.
         let mut def = unsafe { b3::b3DefaultWorldDef() };
         def.enableSleep = false;
         def.workerCount = 1;
@@ -43,7 +44,7 @@ impl Setting {
         def
     }
 
-    /// The setting in words.
+    /// Returns the values of the setting as text.
     pub fn details(&self) -> String {
         let def = self.world();
         format!(
@@ -58,7 +59,7 @@ impl Setting {
     }
 }
 
-/// A world of Box3D.
+/// World of Box3D.
 pub struct Box3d {
     world: b3::b3WorldId,
     bodies: Vec<b3::b3BodyId>,
@@ -66,15 +67,16 @@ pub struct Box3d {
 }
 
 impl Box3d {
-    /// A world with `scene` in it.
+    /// Builds a world of a scene.
     pub fn new(scene: &Scene, setting: Setting) -> Self {
         let s = setting.scale;
         let mut def = setting.world();
         def.gravity = vector(DVec3::new(0.0, 0.0, -scene.gravity * s));
-        // SAFETY: the definition is complete and outlives the call
+        // SAFETY: the definition is complete and outlives the call.
         let world = unsafe { b3::b3CreateWorld(&def) };
         let add = |kind, position: DVec3, yaw: f64, half: DVec3, density: f64| {
-            // SAFETY: the world lives; definitions and hull outlive the calls, which copy them
+            // SAFETY: the world exists, and definitions and hull outlive the calls, which copy
+            // them.
             unsafe {
                 let mut body = b3::b3DefaultBodyDef();
                 body.type_ = kind;
@@ -92,7 +94,7 @@ impl Box3d {
                 id
             }
         };
-        // 2 m square, 0.2 m thick, its top at z = 0
+        // The floor is 2 m square and 0.2 m thick, with its top at z = 0.
         add(b3::b3BodyType_b3_staticBody, DVec3::new(0.0, 0.0, -0.1 * s), 0.0, DVec3::new(s, s, 0.1 * s), 1.0);
         let bodies = scene.blocks.iter().map(|block| {
             let size = DVec3::from(block.size);
@@ -105,7 +107,7 @@ impl Box3d {
 
 impl Drop for Box3d {
     fn drop(&mut self) {
-        // SAFETY: the world lives and nothing else refers to it
+        // SAFETY: the world exists and nothing else refers to it.
         unsafe { b3::b3DestroyWorld(self.world) }
     }
 }
@@ -118,7 +120,7 @@ impl Engine for Box3d {
     fn frame(&mut self, pull: Option<Pull>) {
         let Setting { steps, substeps, scale, .. } = self.setting;
         for i in 0..steps {
-            // SAFETY: world and body live
+            // SAFETY: world and body exist.
             unsafe {
                 if let Some(pull) = pull {
                     b3::b3Body_ApplyForceToCenter(
@@ -133,7 +135,7 @@ impl Engine for Box3d {
     }
 
     fn pose(&self, body: usize) -> (DVec3, DQuat) {
-        // SAFETY: the body lives
+        // SAFETY: the body exists.
         let (p, q) = unsafe { (b3::b3Body_GetPosition(self.bodies[body]), b3::b3Body_GetRotation(self.bodies[body])) };
         let position = DVec3::new(p.x.into(), p.y.into(), p.z.into()) / self.setting.scale;
         (position, DQuat::from_xyzw(q.v.x.into(), q.v.y.into(), q.v.z.into(), q.s.into()).normalize())

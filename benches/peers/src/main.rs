@@ -1,4 +1,5 @@
-//! Teeter, Rapier and Box3D on the same tower in one process: what each costs, and what it sees of the 0.1 mm that make blocks loose or tight.
+//! Teeter, Rapier and Box3D on the same tower in one process: cost, and accuracy for blocks that
+//! 0.1 mm make loose or tight.
 #![allow(
     clippy::disallowed_methods,
     clippy::disallowed_types,
@@ -8,6 +9,8 @@
 mod box3d;
 mod clock;
 mod engine;
+mod entries;
+mod error;
 mod measure;
 mod plot;
 mod rapier;
@@ -17,6 +20,7 @@ mod teeter;
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 
+use error::PeersError;
 use report::Report;
 use teeter_scene::{TowerOptions, named, tower};
 use teeter_study::RigidTower;
@@ -30,7 +34,7 @@ const USAGE: &str = "teeter-peers [--seconds N] [--blocks N] [--only TEXT] [--js
   --docs FOLDER   write the table into FOLDER/performance.md and the plot to FOLDER/performance.svg
   --from FILE     measure nothing, take the figures of --json";
 
-/// What was asked for.
+/// Arguments of the command line.
 struct Args {
     seconds: usize,
     blocks: usize,
@@ -44,24 +48,24 @@ fn main() -> ExitCode {
     let done = Args::read(std::env::args().skip(1)).and_then(|args| run(&args));
     match done {
         Ok(()) => ExitCode::SUCCESS,
-        Err(message) => {
-            eprintln!("teeter-peers: {message}");
+        Err(error) => {
+            eprintln!("teeter-peers: {error}");
             ExitCode::from(2)
         }
     }
 }
 
 impl Args {
-    fn read(mut words: impl Iterator<Item = String>) -> Result<Self, String> {
+    fn read(mut words: impl Iterator<Item = String>) -> Result<Self, PeersError> {
         let mut args = Self { seconds: 12, blocks: 54, only: String::new(), json: None, docs: None, from: None };
         while let Some(word) = words.next() {
             if word == "--help" {
-                return Err(format!("usage: {USAGE}"));
+                return Err(PeersError::Usage(format!("usage: {USAGE}")));
             }
-            let mut value = || words.next().ok_or(format!("{word} needs a value"));
+            let mut value = || words.next().ok_or_else(|| PeersError::Usage(format!("{word} needs a value")));
             let number = |text: String, low: usize, high: usize| {
                 let number = text.parse().ok().filter(|n| (low..=high).contains(n));
-                number.ok_or(format!("{word} is {text}, expected {low} to {high}"))
+                number.ok_or_else(|| PeersError::Usage(format!("{word} is {text}, expected {low} to {high}")))
             };
             match word.as_str() {
                 "--seconds" => args.seconds = number(value()?, 3, 3600)?,
@@ -70,63 +74,57 @@ impl Args {
                 "--json" => args.json = Some(value()?.into()),
                 "--docs" => args.docs = Some(value()?.into()),
                 "--from" => args.from = Some(value()?.into()),
-                _ => return Err(format!("{word} is not known, try --help")),
+                _ => return Err(PeersError::Usage(format!("{word} is not known, try --help"))),
             }
         }
         Ok(args)
     }
 }
 
-fn run(args: &Args) -> Result<(), String> {
+fn run(args: &Args) -> Result<(), PeersError> {
     let report = match &args.from {
-        Some(file) => serde_json::from_str(&read(file)?).map_err(|e| format!("{}: {e}", file.display()))?,
+        Some(file) => serde_json::from_str(&read(file)?).map_err(|e| PeersError::file(file, e))?,
         None => measure(args)?,
     };
     if let Some(file) = &args.json {
-        let json = serde_json::to_string_pretty(&report).map_err(|e| e.to_string())?;
+        let json = serde_json::to_string_pretty(&report).map_err(|e| PeersError::file(file, e))?;
         write(file, &(json + "\n"))?;
     }
     println!("{}", report.markdown());
     if let Some(folder) = &args.docs {
         let page = folder.join("performance.md");
-        write(
-            &page,
-            &with_table(&read(&page)?, &report.markdown())
-                .ok_or(format!("{} has no place for the table", page.display()))?,
-        )?;
+        write(&page, &with_table(&read(&page)?, &report.markdown()).ok_or_else(|| PeersError::NoTable(page.clone()))?)?;
         write(&folder.join("performance.svg"), &plot::svg(&report))?;
     }
     Ok(())
 }
 
-fn measure(args: &Args) -> Result<Report, String> {
-    let mut entries = engine::entries();
+fn measure(args: &Args) -> Result<Report, PeersError> {
+    let mut entries = entries::entries();
     entries.retain(|e| e.name().contains(&args.only));
     if entries.is_empty() {
-        return Err(format!("no engine or setting is called {}", args.only));
+        return Err(PeersError::UnknownEntry(args.only.clone()));
     }
-    let scene = tower(&TowerOptions::default()).map_err(|e| e.to_string())?;
-    let column = named("column").ok_or("there is no column in the list of scenes")?;
-    let rigid = RigidTower::new(&scene).map_err(|e| e.to_string())?;
+    let scene = tower(&TowerOptions::default())?;
+    let column = named("column").ok_or(PeersError::UnknownScene("column"))?;
+    let rigid = RigidTower::new(&scene)?;
     let blocks = sample(args.blocks, scene.blocks.len());
     eprintln!("exact answers");
-    let sought: Vec<measure::Sought> = blocks
-        .iter()
-        .map(|&block| measure::Sought::new(block, &rigid))
-        .collect::<Result<_, _>>()
-        .map_err(|e| e.to_string())?;
-    let mut results = measure::rest_and_cost(&entries, &scene, args.seconds, rigid.top().map_err(|e| e.to_string())?);
+    let targets: Vec<measure::Target> =
+        blocks.iter().map(|&block| measure::Target::new(block, &rigid)).collect::<Result<_, _>>()?;
+    let mut results = measure::rest_and_cost(&entries, &scene, args.seconds, rigid.top()?);
     for (entry, result) in entries.iter().zip(&mut results) {
         eprintln!("{}: column and pulls", entry.name());
         result.push_over_coulomb = measure::column_push(entry, &column);
         if result.stands {
-            (result.pulls, result.reproducible) = measure::pulls(entry, &scene, &sought);
+            (result.pulls, result.reproducible) = measure::pulls(entry, &scene, &targets);
         }
     }
     Ok(Report { processor: report::processor(), seconds: args.seconds, results })
 }
 
-/// `n` of the blocks, from bottom to top and left, middle and right in turn. No block of the topmost row: its neighbours do not matter to it.
+/// Returns `n` of the blocks from bottom to top, left, middle and right in turn. The top row is
+/// left out, because neighbours do not affect it.
 fn sample(n: usize, blocks: usize) -> Vec<usize> {
     if n + 3 > blocks {
         return (0..n).collect();
@@ -138,7 +136,7 @@ fn sample(n: usize, blocks: usize) -> Vec<usize> {
     all
 }
 
-/// `page` with the part between its two marks replaced.
+/// Replaces the part of `page` between its marks; `None` without marks.
 fn with_table(page: &str, table: &str) -> Option<String> {
     let (begin, end) = ("<!-- table: written by tools/peers -->\n", "<!-- end of table -->");
     let (head, rest) = page.split_once(begin)?;
@@ -146,12 +144,12 @@ fn with_table(page: &str, table: &str) -> Option<String> {
     Some(format!("{head}{begin}\n{}\n{end}{tail}", table.trim_end()))
 }
 
-fn read(file: &Path) -> Result<String, String> {
-    std::fs::read_to_string(file).map_err(|e| format!("{}: {e}", file.display()))
+fn read(file: &Path) -> Result<String, PeersError> {
+    std::fs::read_to_string(file).map_err(|e| PeersError::file(file, e))
 }
 
-fn write(file: &Path, text: &str) -> Result<(), String> {
-    std::fs::write(file, text).map_err(|e| format!("{}: {e}", file.display()))
+fn write(file: &Path, text: &str) -> Result<(), PeersError> {
+    std::fs::write(file, text).map_err(|e| PeersError::file(file, e))
 }
 
 #[cfg(test)]

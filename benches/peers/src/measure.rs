@@ -1,40 +1,42 @@
-//! The measurements: rest and cost of the tower, the column, and the force that starts a block sliding.
+//! Measurements: rest and cost of the tower, the column, and the breakaway force of blocks.
 
 use glam::{DMat3, DQuat, DVec3};
 use teeter_scene::Scene;
 use teeter_study::{LimitError, RigidTower, long_axis};
 
 use crate::clock::thread_seconds;
-use crate::engine::{Engine, Entry, FRAME, Pull};
+use crate::engine::{Engine, FRAME, Pull};
+use crate::entries::Entry;
 use crate::report::{Result, Slid};
 
-/// Time to settle before anything is measured, s.
+/// Time of settling before a measurement, s.
 pub const SETTLE: f64 = 2.0;
-/// A block that has moved by this has started to slide, m.
+/// Displacement of a block that has started to slide, m.
 pub const SLID: f64 = 0.5e-3;
-/// How fast the force on a block grows, N/s. Slow: while the block covers the first 0.5 mm the force grows by about 0.015 N.
+/// Rate of the force on a block, N/s. While the block moves by the first 0.5 mm the force grows by
+/// about 0.015 N.
 pub const RAMP: f64 = 0.25;
-/// The force at which a pull gives up, N.
-pub const STRONGEST: f64 = 12.0;
-/// A tower whose blocks have moved no further than this stands, m.
-const STANDS: f64 = 5e-3;
+/// Maximum force of a pull, N.
+pub const MAX_FORCE: f64 = 12.0;
+/// Maximum displacement of the blocks of a standing tower, m.
+const MAX_DISPLACEMENT: f64 = 5e-3;
 
-/// A block to pull, and what is known of it.
-pub struct Sought {
+/// Block to pull, with its exact breakaway forces.
+pub struct Target {
     block: usize,
     turning: f64,
     straight: f64,
 }
 
-impl Sought {
-    /// Solves for a block.
+impl Target {
+    /// Computes the exact forces of a block.
     pub fn new(block: usize, rigid: &RigidTower) -> std::result::Result<Self, LimitError> {
         let answer = rigid.breakaway(block)?;
         Ok(Self { block, turning: answer.turning_n, straight: answer.straight_n })
     }
 }
 
-/// An engine under way, and what has been measured of it.
+/// Running engine with its measurements.
 struct Running<'a> {
     entry: &'a Entry,
     engine: Box<dyn Engine>,
@@ -43,8 +45,8 @@ struct Running<'a> {
     costs: Vec<f64>,
 }
 
-/// Lets all engines run the tower for `seconds`, in turn and a second at a time, so that what else the machine does hits all alike.
-/// The top is compared with `rigid_top`, m.
+/// Runs the tower in all engines for `seconds`, in turn and a second at a time, so that the load of
+/// the machine affects all alike. The top is compared with `rigid_top`, m.
 pub fn rest_and_cost(entries: &[Entry], scene: &Scene, seconds: usize, rigid_top: f64) -> Vec<Result> {
     let mut all: Vec<Running> = entries
         .iter()
@@ -78,7 +80,7 @@ pub fn rest_and_cost(entries: &[Entry], scene: &Scene, seconds: usize, rigid_top
                 engine: it.entry.engine.into(),
                 setting: it.entry.setting.into(),
                 details: it.entry.details.clone(),
-                stands: it.creep < STANDS && sideways.fold(0.0, f64::max) < STANDS,
+                stands: it.creep < MAX_DISPLACEMENT && sideways.fold(0.0, f64::max) < MAX_DISPLACEMENT,
                 creep_mm: 1e3 * it.creep,
                 sink_mm: 1e3 * (rigid_top - top(it.engine.as_ref(), scene)),
                 cpu_ms_per_s: median(&it.costs),
@@ -91,8 +93,10 @@ pub fn rest_and_cost(entries: &[Entry], scene: &Scene, seconds: usize, rigid_top
         .collect()
 }
 
-/// The force, over Coulomb's, at which the fourth of a column of ten slips with the six above it: bisected, each time from a new column, with the
-/// force grown over 2 s and held for 1 s.
+/// Returns the force, over Coulomb's limit, at which the fourth block of a column of ten slips with
+/// the six above it.
+///
+/// The force is bisected, each time on a new column; it grows over 2 s and stays for 1 s.
 pub fn column_push(entry: &Entry, column: &Scene) -> f64 {
     let limit = 7.0 * column.friction * column.blocks[0].mass * column.gravity;
     let slips = |share: f64| {
@@ -116,28 +120,28 @@ pub fn column_push(entry: &Entry, column: &Scene) -> f64 {
     0.5 * (holds + moves)
 }
 
-/// Pulls one block after the other along its long axis, each out of the same settled tower, with a force that grows slowly; and whether the tower
-/// was the same to the bit each time.
-pub fn pulls(entry: &Entry, scene: &Scene, blocks: &[Sought]) -> (Vec<Slid>, bool) {
+/// Pulls each block out of the same settled tower along its long axis, with a slowly growing force.
+/// Returns true if the tower had the same bits each time.
+pub fn pulls(entry: &Entry, scene: &Scene, blocks: &[Target]) -> (Vec<Slid>, bool) {
     let mut first: Option<Vec<DVec3>> = None;
     let mut same = true;
-    let slid = blocks.iter().map(|sought| {
-        let body = sought.block;
+    let slid = blocks.iter().map(|target| {
+        let body = target.block;
         let mut engine = entry.start(scene);
         run(engine.as_mut(), SETTLE);
         let settled = centers(engine.as_ref(), scene);
         same &= first.get_or_insert_with(|| settled.clone()) == &settled;
         let force_n = pull(engine.as_mut(), body, long_axis(&scene.blocks[body]).extend(0.0));
-        Slid { block: body, turning_n: sought.turning, straight_n: sought.straight, force_n }
+        Slid { block: body, turning_n: target.turning, straight_n: target.straight, force_n }
     });
     (slid.collect(), same)
 }
 
-/// The force at which a block has moved by [`SLID`], N.
+/// Returns the force at which a block has moved by [`SLID`], N.
 fn pull(engine: &mut dyn Engine, body: usize, axis: DVec3) -> f64 {
     let start = engine.pose(body).0;
     let (mut force, mut moved) = (0.0, 0.0);
-    while force < STRONGEST {
+    while force < MAX_FORCE {
         let next = force + RAMP * FRAME;
         engine.frame(Some(Pull { body, from: axis * force, to: axis * next }));
         let now = (engine.pose(body).0 - start).dot(axis);
@@ -146,7 +150,7 @@ fn pull(engine: &mut dyn Engine, body: usize, axis: DVec3) -> f64 {
         }
         (force, moved) = (next, now);
     }
-    STRONGEST
+    MAX_FORCE
 }
 
 fn run(engine: &mut dyn Engine, seconds: f64) {
@@ -167,7 +171,7 @@ fn top(engine: &dyn Engine, scene: &Scene) -> f64 {
     scene.blocks.iter().enumerate().map(corner).fold(0.0, f64::max)
 }
 
-/// The middle of some numbers.
+/// Returns the median of some numbers.
 pub fn median(values: &[f64]) -> f64 {
     let mut sorted = values.to_vec();
     sorted.sort_by(f64::total_cmp);

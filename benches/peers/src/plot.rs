@@ -1,4 +1,4 @@
-//! Cost against error as SVG, both logarithmic; dark on light or light on dark as the reader's system asks.
+//! Cost against error as SVG with logarithmic axes, in the colour scheme of the reader's system.
 
 use std::fmt::Write as _;
 
@@ -6,9 +6,9 @@ use crate::report::{Report, Result};
 
 const WIDTH: f64 = 820.0;
 const HEIGHT: f64 = 520.0;
-/// The frame of the plot: left, right, top, bottom.
+/// Frame of the plot: left, right, top, bottom.
 const FRAME: [f64; 4] = [78.0, 790.0, 60.0, 455.0];
-/// Width of a letter of the labels, roughly.
+/// Approximate width of a letter of the labels.
 const LETTER: f64 = 7.4;
 
 const STYLE: &str = "
@@ -21,7 +21,7 @@ const STYLE: &str = "
     .Teeter { fill: #f08b4f; stroke: #f08b4f } .Rapier { fill: #6aa9ee; stroke: #6aa9ee } .Box3D { fill: #63c08a; stroke: #63c08a }
   }";
 
-/// A logarithmic axis.
+/// Logarithmic axis.
 struct Axis {
     low: f64,
     high: f64,
@@ -30,26 +30,27 @@ struct Axis {
 }
 
 impl Axis {
-    /// From the last 1, 2 or 5 times a power of ten below all values to the first above them.
+    /// Creates an axis from the last tick below all values to the first tick above them.
     fn around(values: impl Iterator<Item = f64> + Clone, from: f64, to: f64) -> Self {
-        let (least, most) = (values.clone().fold(f64::INFINITY, f64::min), values.fold(0.0, f64::max));
-        let low = ticks(1e-6, 1e6).filter(|t| *t < least * 0.9).last().unwrap_or(least);
-        let high = ticks(1e-6, 1e6).find(|t| *t > most * 1.1).unwrap_or(most);
+        let (min, max) = (values.clone().fold(f64::INFINITY, f64::min), values.fold(0.0, f64::max));
+        let low = ticks(1e-6, 1e6).filter(|t| *t < min * 0.9).last().unwrap_or(min);
+        let high = ticks(1e-6, 1e6).find(|t| *t > max * 1.1).unwrap_or(max);
         Self { low, high, from, to }
     }
 
-    fn place(&self, value: f64) -> f64 {
+    /// Coordinate of a value.
+    fn coordinate(&self, value: f64) -> f64 {
         self.from + (self.to - self.from) * (value / self.low).ln() / (self.high / self.low).ln()
     }
 }
 
-/// 1, 2 and 5 times the powers of ten within a range.
+/// Returns 1, 2 and 5 times the powers of ten in a range.
 fn ticks(low: f64, high: f64) -> impl Iterator<Item = f64> {
     let all = (-8..=8).flat_map(|e| [1.0, 2.0, 5.0].map(|m| format!("{m}e{e}").parse::<f64>().expect("a number")));
     all.filter(move |t| (low * 0.999..=high * 1.001).contains(t))
 }
 
-/// The plot. Settings under which the tower fell are named below it.
+/// Formats the plot. Settings under which the tower fell are named below it.
 pub fn svg(report: &Report) -> String {
     let [left, right, top, bottom] = FRAME;
     let shown: Vec<(&Result, f64, f64)> = report
@@ -61,7 +62,7 @@ pub fn svg(report: &Report) -> String {
     let x = Axis::around(shown.iter().map(|p| p.1), left, right);
     let y = Axis::around(shown.iter().map(|p| p.2), bottom, top);
     let mut text = String::new();
-    let mut line = |s: String| writeln!(text, "{s}").expect("a string takes everything");
+    let mut line = |s: String| writeln!(text, "{s}").expect("writing to a string does not fail");
     line(format!(
         "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {WIDTH} {HEIGHT}\" role=\"img\" aria-labelledby=\"title\">"
     ));
@@ -73,12 +74,12 @@ pub fn svg(report: &Report) -> String {
     ));
     line(format!("<text class=\"faint\" x=\"{left}\" y=\"46\">lower left is better</text>"));
     for t in ticks(x.low, x.high) {
-        let at = x.place(t);
+        let at = x.coordinate(t);
         line(format!("<line class=\"grid\" x1=\"{at:.1}\" y1=\"{top}\" x2=\"{at:.1}\" y2=\"{bottom}\"/>"));
         line(format!("<text class=\"faint\" x=\"{at:.1}\" y=\"{}\" text-anchor=\"middle\">{t}</text>", bottom + 19.0));
     }
     for t in ticks(y.low, y.high) {
-        let at = y.place(t);
+        let at = y.coordinate(t);
         line(format!("<line class=\"grid\" x1=\"{left}\" y1=\"{at:.1}\" x2=\"{right}\" y2=\"{at:.1}\"/>"));
         line(format!(
             "<text class=\"faint\" x=\"{}\" y=\"{:.1}\" text-anchor=\"end\">{t}</text>",
@@ -103,17 +104,18 @@ pub fn svg(report: &Report) -> String {
     for engine in ["Teeter", "Rapier", "Box3D"] {
         let mut own: Vec<_> = shown.iter().filter(|(r, ..)| r.engine == engine && !r.setting.contains("f64")).collect();
         own.sort_by(|a, b| a.1.total_cmp(&b.1));
-        let points: Vec<String> = own.iter().map(|p| format!("{:.1},{:.1}", x.place(p.1), y.place(p.2))).collect();
+        let points: Vec<String> =
+            own.iter().map(|p| format!("{:.1},{:.1}", x.coordinate(p.1), y.coordinate(p.2))).collect();
         line(format!("<polyline class=\"{engine}\" points=\"{}\"/>", points.join(" ")));
     }
-    let marks: Vec<[f64; 4]> = shown.iter().map(|p| around(x.place(p.1), y.place(p.2), 6.0)).collect();
+    let marks: Vec<[f64; 4]> = shown.iter().map(|p| around(x.coordinate(p.1), y.coordinate(p.2), 6.0)).collect();
     let mut taken = marks.clone();
     for (r, cost, error) in &shown {
-        let (px, py) = (x.place(*cost), y.place(*error));
+        let (px, py) = (x.coordinate(*cost), y.coordinate(*error));
         line(mark(&r.engine, px, py, r.setting.contains("f64")));
         let name = r.name();
         let length = LETTER * name.chars().count() as f64;
-        // right, left, above, below: the first that is free and within the frame
+        // Right, left, above or below: the first that is free and inside of the frame.
         let boxes = [
             [px + 10.0, py - 9.0, px + 10.0 + length, py + 6.0],
             [px - 10.0 - length, py - 9.0, px - 10.0, py + 6.0],
@@ -123,9 +125,9 @@ pub fn svg(report: &Report) -> String {
         let free = |b: &&[f64; 4]| {
             b[0] > left && b[2] < right && b[1] > top && b[3] < bottom && !taken.iter().any(|t| meet(b, t))
         };
-        let place = *boxes.iter().find(free).unwrap_or(&boxes[0]);
-        line(format!("<text x=\"{:.1}\" y=\"{:.1}\">{name}</text>", place[0], place[3] - 3.0));
-        taken.push(place);
+        let label = *boxes.iter().find(free).unwrap_or(&boxes[0]);
+        line(format!("<text x=\"{:.1}\" y=\"{:.1}\">{name}</text>", label[0], label[3] - 3.0));
+        taken.push(label);
     }
     let fallen: Vec<String> = report.results.iter().filter(|r| !r.stands).map(Result::name).collect();
     if !fallen.is_empty() {
@@ -147,7 +149,7 @@ fn meet(a: &[f64; 4], b: &[f64; 4]) -> bool {
     a[0] < b[2] && b[0] < a[2] && a[1] < b[3] && b[1] < a[3]
 }
 
-/// A shape for each engine, so that colour is not needed; hollow for f64.
+/// Mark of an engine. Shapes differ so that colour is not needed; f64 is hollow.
 fn mark(engine: &str, x: f64, y: f64, hollow: bool) -> String {
     let fill = if hollow { " style=\"fill: none; stroke-width: 2\"" } else { "" };
     match engine {

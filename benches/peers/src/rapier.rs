@@ -1,7 +1,8 @@
 //! Rapier.
 //!
-//! Its tolerances are for things of about a metre, so the scene is made larger, density kept: lengths and gravity grow by the scale, masses by
-//! its third power and forces by its fourth; times stay as they are.
+//! Its tolerances are for bodies of about a metre, so the scene is scaled at constant density:
+//! lengths and gravity by the scale, masses by its third power and forces by its fourth. Times stay
+//! the same.
 
 use glam::{DQuat, DVec3};
 use rapier3d::prelude::*;
@@ -9,24 +10,25 @@ use teeter_scene::Scene;
 
 use crate::engine::{Engine, FRAME, Pull};
 
-/// What is changed from the defaults of `IntegrationParameters`.
+/// Changes from the defaults of `IntegrationParameters`.
 #[derive(Debug, Clone, Copy)]
 pub struct Setting {
     /// Name in the table.
     pub name: &'static str,
-    /// Units of the engine in a metre of the scene.
+    /// Length units of the engine in a metre of the scene.
     pub scale: f64,
-    /// Steps in a frame of 1/60 s.
+    /// Number of steps in a frame of 1/60 s.
     pub steps: usize,
-    /// `num_solver_iterations`.
+    /// Number of solver iterations, `num_solver_iterations`.
     pub iterations: usize,
-    /// Natural frequency of a contact, Hz, twice as much for one with the floor (as in the defaults); the default where absent.
+    /// Natural frequency of a contact, Hz, doubled for contacts with the floor as in the defaults.
+    /// Defaults to that of Rapier.
     pub contact_hertz: Option<f64>,
-    /// Friction at each point of contact instead of the simplified model.
+    /// True for Coulomb friction at each contact point instead of the simplified model.
     pub coulomb: bool,
 }
 
-/// What is measured.
+/// Measured settings.
 pub const SETTINGS: [Setting; 3] = [
     Setting { name: "default", scale: 10.0, steps: 1, iterations: 4, contact_hertz: None, coulomb: false },
     Setting { name: "best", scale: 100.0, steps: 4, iterations: 8, contact_hertz: Some(480.0), coulomb: true },
@@ -48,7 +50,7 @@ impl Setting {
         p
     }
 
-    /// The setting in words.
+    /// Returns the values of the setting as text.
     pub fn details(&self) -> String {
         let p = self.parameters();
         format!(
@@ -64,7 +66,7 @@ impl Setting {
     }
 }
 
-/// A world of Rapier.
+/// World of Rapier.
 pub struct Rapier {
     world: PhysicsWorld,
     bodies: Vec<RigidBodyHandle>,
@@ -72,13 +74,13 @@ pub struct Rapier {
 }
 
 impl Rapier {
-    /// A world with `scene` in it.
+    /// Builds a world of a scene.
     pub fn new(scene: &Scene, setting: Setting) -> Self {
         let s = setting.scale;
         let mut world = PhysicsWorld { integration_parameters: setting.parameters(), ..PhysicsWorld::default() };
         world.gravity = vector(DVec3::new(0.0, 0.0, -scene.gravity * s));
         let material = |collider: ColliderBuilder| collider.friction(scene.friction as f32).restitution(0.0);
-        // 2 m square, 0.2 m thick, its top at z = 0
+        // The floor is 2 m square and 0.2 m thick, with its top at z = 0.
         let floor = ColliderBuilder::cuboid(s as f32, s as f32, 0.1 * s as f32);
         world.insert(RigidBodyBuilder::fixed().translation(vector(DVec3::new(0.0, 0.0, -0.1 * s))), material(floor));
         let bodies = scene.blocks.iter().map(|block| {

@@ -1,70 +1,72 @@
-//! What was measured, as JSON and as a table.
+//! Results as JSON and as a table.
 
 use std::fmt::Write as _;
 
 use serde::{Deserialize, Serialize};
 
-/// A block that starts below this force is loose, N: between the weight of a block times friction and what the lightest load adds.
+/// Maximum breakaway force of a loose block, N: between the friction of its own weight and that of
+/// the lightest load.
 const LOOSE: f64 = 0.15;
 
-/// All of a run.
+/// Results of a run.
 #[derive(Debug, Clone, Serialize, Deserialize)]
 pub struct Report {
-    /// Processor.
+    /// Name of the processor.
     pub processor: String,
-    /// Seconds of simulated rest, the first two not timed.
+    /// Simulated time at rest, s, of which the first two are not timed.
     pub seconds: usize,
-    /// One line of the table each.
+    /// Rows of the table.
     pub results: Vec<Result>,
 }
 
-/// An engine at a setting.
+/// Result of an engine with a setting.
 #[derive(Debug, Clone, Serialize, Deserialize)]
 pub struct Result {
-    /// Which engine.
+    /// Name of the engine.
     pub engine: String,
-    /// Which of its settings.
+    /// Name of the setting.
     pub setting: String,
-    /// The setting in words.
+    /// Values of the setting.
     pub details: String,
-    /// Whether the tower stood to the end.
+    /// True when the tower stood to the end.
     pub stands: bool,
-    /// Largest distance of any block from where it was after two seconds, mm.
+    /// Maximum displacement of a block since two seconds, mm.
     pub creep_mm: f64,
-    /// How far the highest corner is below that of the rigid tower, mm.
+    /// Height of the highest corner below that of the rigid tower, mm.
     pub sink_mm: f64,
-    /// CPU time for a simulated second, ms: median of the stretches.
+    /// Median CPU time of a simulated second, ms.
     pub cpu_ms_per_s: f64,
     /// CPU time of each simulated second, ms.
     pub cpu_ms_stretches: Vec<f64>,
-    /// The force at which a column slips over the one at which it should.
+    /// Force at which the column slips, over Coulomb's limit.
     pub push_over_coulomb: f64,
-    /// Whether the settled tower was the same to the bit each time it was built.
+    /// True when the settled tower had the same bits each time.
     pub reproducible: bool,
     /// Blocks pulled out of the tower.
     pub pulls: Vec<Slid>,
 }
 
-/// A block pulled along its long axis.
+/// Block pulled along its long axis.
 #[derive(Debug, Clone, Copy, Serialize, Deserialize)]
 pub struct Slid {
     /// Index of the block.
     pub block: usize,
-    /// The force that starts it when blocks can turn about the vertical, normal forces as at rest, N.
+    /// Exact breakaway force where blocks may rotate about the vertical, with the normal forces at
+    /// rest, N.
     pub turning_n: f64,
-    /// The force that starts it when they cannot, N.
+    /// Exact breakaway force without rotation, N.
     pub straight_n: f64,
-    /// The force that started it, N.
+    /// Measured breakaway force, N.
     pub force_n: f64,
 }
 
 impl Slid {
-    /// Whether only its own weight holds the block, which is then about 0.08 N.
+    /// Returns true if only the block's own weight, about 0.08 N of friction, holds it.
     fn loose(&self) -> bool {
         self.straight_n < LOOSE
     }
 
-    /// How far the force is outside the range between the two exact answers, N.
+    /// Distance of the force from the range between the two exact answers, N.
     fn error(&self) -> f64 {
         let (low, high) = (self.turning_n.min(self.straight_n), self.straight_n);
         (low - self.force_n).max(self.force_n - high).max(0.0)
@@ -72,7 +74,7 @@ impl Slid {
 }
 
 impl Result {
-    /// Correlation of the forces with one of the exact answers; none without forces.
+    /// Correlation of the forces with one of the exact answers; `None` without forces.
     pub fn correlation(&self, exact: fn(&Slid) -> f64) -> Option<f64> {
         let n = self.pulls.len() as f64;
         let mean = |f: fn(&Slid) -> f64| self.pulls.iter().map(f).sum::<f64>() / n;
@@ -83,7 +85,8 @@ impl Result {
         (self.pulls.len() > 1 && norm > 0.0).then(|| xy / norm)
     }
 
-    /// Mean distance of the forces from the range between the two exact answers, N; none without forces.
+    /// Mean distance of the forces from the range between the two exact answers, N; `None` without
+    /// forces.
     pub fn mean_error(&self) -> Option<f64> {
         self.mean_error_of(|_| true)
     }
@@ -93,8 +96,9 @@ impl Result {
         (!errors.is_empty()).then(|| errors.iter().sum::<f64>() / errors.len() as f64)
     }
 
-    /// Loose blocks that start as such, and all of them; the same for those that are not loose.
-    fn told(&self) -> [usize; 4] {
+    /// Number of loose blocks measured as loose, of loose blocks, of tight blocks measured as
+    /// tight, and of tight blocks.
+    fn classified(&self) -> [usize; 4] {
         let count = |f: &dyn Fn(&Slid) -> bool| self.pulls.iter().filter(|p| f(p)).count();
         [
             count(&|p| p.loose() && p.force_n < LOOSE),
@@ -104,29 +108,29 @@ impl Result {
         ]
     }
 
-    /// `engine setting`.
+    /// Name as `engine setting`.
     pub fn name(&self) -> String {
         format!("{} {}", self.engine, self.setting)
     }
 }
 
-/// Columns of the table.
+/// Header of the table.
 const HEAD: &str = "\
 | engine, setting | CPU ms per simulated s (quartiles) | mean error N | of loose blocks | loose seen | tight seen | correlation turning | straight | push / Coulomb | creep mm | sink mm | stands |
 |---|--:|--:|--:|--:|--:|--:|--:|--:|--:|--:|---|";
 
 impl Report {
-    /// The table and what belongs to it, in Markdown.
+    /// Formats the table and its notes as Markdown.
     pub fn markdown(&self) -> String {
         let mut text = String::new();
-        let mut line = |s: &str| writeln!(text, "{s}").expect("a string takes everything");
+        let mut line = |s: &str| writeln!(text, "{s}").expect("writing to a string does not fail");
         line(HEAD);
         let number = |f: Option<f64>| f.map_or("-".into(), |f| format!("{f:.3}"));
         for r in &self.results {
             let mut sorted = r.cpu_ms_stretches.clone();
             sorted.sort_by(f64::total_cmp);
             let quartile = |share: f64| sorted[((sorted.len() - 1) as f64 * share).round() as usize];
-            let [loose, all_loose, tight, all_tight] = r.told();
+            let [loose, all_loose, tight, all_tight] = r.classified();
             line(&format!(
                 "| {} | {:.0} ({:.0} to {:.0}) | {} | {} | {loose} of {all_loose} | {tight} of {all_tight} | {} | {} | {} | {} | {} | {} |",
                 r.name(),
@@ -156,7 +160,7 @@ impl Report {
     }
 }
 
-/// Two significant digits, without an exponent where that is short.
+/// Formats two significant digits, without an exponent where that is short.
 fn significant(value: f64) -> String {
     match value.abs() {
         v if v < 1e-3 => format!("{value:.1e}"),
@@ -166,7 +170,7 @@ fn significant(value: f64) -> String {
     }
 }
 
-/// Name of the processor, as the system gives it.
+/// Returns the name of the processor.
 pub fn processor() -> String {
     let info = std::fs::read_to_string("/proc/cpuinfo").unwrap_or_default();
     let name = info.lines().find_map(|l| l.strip_prefix("model name")).and_then(|l| l.split_once(": "));
@@ -195,7 +199,7 @@ mod tests {
     }
 
     #[test]
-    fn correlation_is_that_of_the_textbook() {
+    fn correlation_follows_its_definition() {
         let r = result(&[(1.0, 1.0, 2.0), (2.0, 2.0, 1.0), (3.0, 3.0, 3.0)]);
         assert!((r.correlation(|p| p.straight_n).unwrap() - 0.5).abs() < 1e-12);
         assert_eq!(result(&[]).correlation(|p| p.straight_n), None);
@@ -206,6 +210,6 @@ mod tests {
         let r = result(&[(1.0, 2.0, 0.5), (1.0, 2.0, 1.5), (1.0, 2.0, 3.0), (0.08, 0.08, 0.09)]);
         assert!((r.mean_error().unwrap() - (0.5 + 1.0 + 0.01) / 4.0).abs() < 1e-12);
         assert!((r.mean_error_of(Slid::loose).unwrap() - 0.01).abs() < 1e-12);
-        assert_eq!(r.told(), [1, 1, 3, 3]);
+        assert_eq!(r.classified(), [1, 1, 3, 3]);
     }
 }

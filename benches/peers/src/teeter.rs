@@ -6,18 +6,18 @@ use teeter_scene::Scene;
 
 use crate::engine::{Engine, FRAME, Pull};
 
-/// Contact stiffness and number format; all else as it comes, but for sleep.
+/// Contact stiffness and number format. Everything else has its default, except that sleep is off.
 #[derive(Debug, Clone, Copy)]
 pub struct Setting {
     /// Name in the table.
     pub name: &'static str,
-    /// N/m.
+    /// Contact stiffness, N/m.
     pub stiffness: f64,
-    /// Of the inner loop.
+    /// Precision of the inner loop.
     pub precision: Precision,
 }
 
-/// What is measured.
+/// Measured settings.
 pub const SETTINGS: [Setting; 4] = [
     Setting { name: "k = 3e5", stiffness: 3e5, precision: Precision::Single },
     Setting { name: "k = 1e6", stiffness: 1e6, precision: Precision::Single },
@@ -30,18 +30,18 @@ impl Setting {
         Params { precision: self.precision, sleep: false, frame: FRAME, ..Params::default() }
     }
 
-    /// The setting in words.
+    /// Returns the values of the setting as text.
     pub fn details(&self) -> String {
         let format = if self.precision == Precision::Single { "f32" } else { "f64" };
         format!("SI units, stiffness {:e} N/m, inner loop in {format}, frame 1/60 s", self.stiffness)
     }
 }
 
-/// A world of Teeter.
+/// World of Teeter.
 pub struct Teeter(World);
 
 impl Teeter {
-    /// A world with `scene` in it.
+    /// Builds a world of a scene.
     pub fn new(scene: &Scene, setting: Setting) -> Self {
         let scene = Scene { stiffness: setting.stiffness, ..scene.clone() };
         Self(World::new(&scene, setting.params()).expect("the scenes and settings of the bench are valid"))
@@ -50,7 +50,7 @@ impl Teeter {
 
 impl Engine for Teeter {
     fn frame(&mut self, pull: Option<Pull>) {
-        // the world itself lets a force grow evenly from that of the last step
+        // The world itself interpolates a force from that of the previous step.
         let forces = pull.iter().map(|p| AppliedForce::at_center(BodyId(p.body as u32), p.to));
         let report = self.0.step(&Input::forces(forces.collect()));
         assert!(report.quarantined.is_empty(), "Teeter froze blocks {:?}", report.quarantined);
