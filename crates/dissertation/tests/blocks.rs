@@ -1,4 +1,4 @@
-//! What a block is made of, and that its springs do what springs do.
+//! Parts of a block, and the behaviour of its springs.
 
 use glam::DVec3;
 use teeter_dissertation::jenga3d::face::normal;
@@ -11,7 +11,7 @@ fn still() -> Constants {
 }
 
 #[test]
-fn parts_of_a_block() {
+fn a_block_has_its_parts() {
     let one = Jenga3D::new(&named("block").unwrap(), Constants::default()).unwrap();
     assert_eq!((one.model.particles.len(), one.model.springs.len(), one.model.faces.len()), (8, 28, 12));
     assert_eq!(one.model.springs.iter().filter(|s| s.edge).count(), 12);
@@ -19,7 +19,7 @@ fn parts_of_a_block() {
     pairs.sort();
     pairs.dedup();
     assert_eq!(pairs.len(), 28);
-    // Edges are as long as the block's sides.
+    // The edges are as long as the sides of the block.
     let mut lengths: Vec<f64> = one.model.springs[..EDGES].iter().map(|s| (1e6 * s.rest_length).round()).collect();
     lengths.dedup();
     assert_eq!(lengths, [81000.0, 26800.0, 18000.0]);
@@ -36,7 +36,7 @@ fn faces_are_clockwise_and_cover_the_block() {
         let out = normal(a, b, c);
         assert!(out.dot((a + b + c) / 3.0 - centre) > 0.0);
         area += 0.5 * out.length();
-        // Clockwise from outside: the right-handed normal of the corners points in.
+        // Corners clockwise from outside have an inward right-handed normal.
         assert!((b - a).cross(c - a).dot(out) < 0.0);
         let edge = |p: u32, q: u32| edges.contains(&[p, q]) || edges.contains(&[q, p]);
         assert!(edge(face.p1, face.p2) && edge(face.p2, face.p3) && !edge(face.p3, face.p1));
@@ -45,7 +45,7 @@ fn faces_are_clockwise_and_cover_the_block() {
     assert!((area - 2.0 * (x * y + y * z + z * x)).abs() < 1e-12);
 }
 
-/// A corner that was pulled comes back, and the block as a whole stays where its centre of mass was put.
+/// A displaced corner returns, and the centre of mass stays.
 #[test]
 fn a_block_regains_its_shape() {
     let mut one = Jenga3D::new(&named("block").unwrap(), still()).unwrap();
@@ -58,7 +58,7 @@ fn a_block_regains_its_shape() {
     assert!(one.model.blocks[0].centre(&one.curr).distance(centre) < 1e-9);
 }
 
-/// Spring forces sum to nothing and turn nothing, whatever the shape.
+/// Spring forces have no resultant and no moment, for any shape.
 #[test]
 fn springs_are_equal_and_opposite() {
     let mut one = Jenga3D::new(&named("block").unwrap(), still()).unwrap();
@@ -76,12 +76,13 @@ fn springs_are_equal_and_opposite() {
     assert!(force.length() < 1e-12 * largest && torque.length() < 1e-12 * largest, "{force} {torque}");
 }
 
-/// Most energy over that at the start, as a share of it, while two blocks meet corner first in free space. Their momentum must stay.
+/// Returns the maximum relative gain of energy while two blocks collide corner first in free space,
+/// and asserts that momentum is conserved.
 fn gain(restitution: f64, damping: f64, mid_loop_count: u32) -> f64 {
     let constants =
         Constants { restitution, damping, mid_loop_count, friction_enabled: false, row_spacing: 0.01, ..still() };
     let mut two = Jenga3D::new(&named("test-4").unwrap(), constants).unwrap();
-    // Away with the third.
+    // The third block is removed from the collision.
     let third = two.model.blocks[2].corners();
     for (n, state) in two.curr.iter_mut().enumerate() {
         let k = n as f64;
@@ -95,7 +96,7 @@ fn gain(restitution: f64, damping: f64, mid_loop_count: u32) -> f64 {
     }
     let masses: Vec<f64> = two.model.particles.iter().map(|p| p.mass).collect();
     let momentum = |s: &Jenga3D| s.curr.iter().zip(&masses).map(|(p, m)| *m * p.velocity).sum::<DVec3>();
-    // Half a step of power makes of the energy what Euler's method conserves on springs: the sum swings with the step, this does not.
+    // Euler's method conserves the energy plus half a step of power; the energy alone oscillates.
     let energy = |s: &Jenga3D| {
         let mut states = s.curr.clone();
         let sources = Sources { user: None, contacts: &[], time: s.constants.force_step() };
@@ -103,30 +104,31 @@ fn gain(restitution: f64, damping: f64, mid_loop_count: u32) -> f64 {
         let power: f64 = states.iter().map(|s| s.velocity.dot(s.force)).sum();
         s.model.energy(&s.curr) + 0.5 * s.constants.force_step() * power
     };
-    let (start, first, mut most, mut hits) = (momentum(&two), energy(&two), 0.0, 0);
+    let (start, first, mut max, mut hits) = (momentum(&two), energy(&two), 0.0, 0);
     for _ in 0..10 * mid_loop_count / 2 {
         hits += two.step(None).all.collisions;
         assert!(momentum(&two).distance(start) < 1e-12, "{restitution}");
-        most = energy(&two).max(most);
+        max = energy(&two).max(max);
     }
     assert!(hits > 0);
-    most / first - 1.0
+    max / first - 1.0
 }
 
-/// A blow adds no energy to its particles, as `collision.rs` shows. Its way back may load the springs of its blocks, by what the step is too
-/// long for: a thousandth of the energy with the usual step, and ever less with shorter ones.
+/// An impulse adds no energy to its particles, as `collision.rs` shows. Its position correction may
+/// load the springs: by a thousandth of the energy with the default step, and less with shorter
+/// ones.
 #[test]
-fn blocks_that_collide_in_space() {
+fn colliding_blocks_gain_hardly_any_energy() {
     for (restitution, damping) in [(1.0, 0.0), (0.5, 0.0), (0.0, 2.0)] {
-        let (usual, fine) = (gain(restitution, damping, 160), gain(restitution, damping, 3200));
-        println!("{restitution} {damping}: {usual} {fine}");
-        assert!(usual < 2e-3 && fine < 1e-4, "{restitution}: gains {usual} and {fine}");
+        let (default, fine) = (gain(restitution, damping, 160), gain(restitution, damping, 3200));
+        println!("{restitution} {damping}: {default} {fine}");
+        assert!(default < 2e-3 && fine < 1e-4, "{restitution}: gains {default} and {fine}");
     }
 }
 
-/// Gravity is that of the constants: a block in the air falls by g t²/2.
+/// A block in the air falls by g t²/2.
 #[test]
-fn blocks_fall() {
+fn blocks_fall_freely() {
     let mut one =
         Jenga3D::new(&named("block").unwrap(), Constants { row_spacing: 0.1, ..Constants::default() }).unwrap();
     let start = one.centres()[0].z;
@@ -135,25 +137,25 @@ fn blocks_fall() {
     }
     let t = 0.1;
     let fallen = start - one.centres()[0].z;
-    // Euler's method is ahead by half a step of speed.
+    // Euler's method leads by half a step.
     assert!((fallen - 0.5 * 9.81 * t * t).abs() < 9.81 * t * one.constants.force_step(), "{fallen}");
 }
 
-/// Both ways of moving a block, and what each is good for (section 5.6).
+/// Force and velocity as methods of the hand (section 5.6).
 #[test]
-fn the_hybrid_hand_takes_the_better_of_two() {
+fn the_hybrid_hand_neither_overshoots_nor_yields() {
     let carry = |hand: HandMode| {
         let constants = Constants { hand, row_spacing: 0.1, ..Constants::default() };
         let mut one = Jenga3D::new(&named("block").unwrap(), constants).unwrap();
         let target = one.centres()[0] + DVec3::new(0.05, 0.0, 0.05);
-        let mut furthest = 0.0f64;
+        let mut overshoot = 0.0f64;
         for _ in 0..60 {
             one.frame(Some(&Hand { block: 0, target }));
-            furthest = furthest.max((one.centres()[0] - target).x);
+            overshoot = overshoot.max((one.centres()[0] - target).x);
         }
-        (furthest, one.centres()[0].distance(target))
+        (overshoot, one.centres()[0].distance(target))
     };
-    // By force the block swings past its target in the air; by velocity it goes there.
+    // A force makes the block overshoot in the air; a velocity does not.
     assert!(carry(HandMode::Force).0 > 0.02);
     for hand in [HandMode::Velocity, HandMode::Hybrid] {
         let (past, off) = carry(hand);
@@ -175,7 +177,8 @@ fn the_hybrid_hand_takes_the_better_of_two() {
         let others = (0..18).filter(|b| *b != 1).map(|b| six.centres()[b].distance(before[b])).fold(0.0, f64::max);
         (moved, others)
     };
-    // 40 N/m over 5 mm is 0.2 N, which moves no block of the bottom row that bears load; the strong hand moves it whatever holds it.
+    // 40 N/m over 5 mm is 0.2 N, which moves no loaded block of the bottom row; a written velocity
+    // does.
     let (by_velocity, _) = push_tower(HandMode::Velocity);
     assert!(by_velocity > 4.5e-3, "{by_velocity}");
 }

@@ -1,4 +1,4 @@
-//! One collision: momentum is conserved, the relative velocity is turned by the coefficient of restitution, and no energy comes from nowhere.
+//! Collision response: momentum, restitution and energy.
 
 mod common;
 
@@ -11,7 +11,7 @@ use teeter_dissertation::jenga3d::point_face::weights;
 use teeter_dissertation::jenga3d::response::{Law, Step, respond};
 use teeter_dissertation::jenga3d::static_friction::Coefficients;
 
-/// A contact of four particles with weights of a point and a face, or of two edges.
+/// Contact of four particles with the weights of a point and a face, or of two edges.
 fn contact(normal: DVec3, share: [f64; 2], edges: bool) -> Contact {
     let [s, t] = share;
     let weights = if edges { [1.0 - s, s, t - 1.0, -t] } else { [1.0, -s * t, -s * (1.0 - t), s - 1.0] };
@@ -27,7 +27,7 @@ proptest! {
     #![proptest_config(cases(20_000))]
 
     #[test]
-    fn a_blow_is_physical(
+    fn an_impulse_conserves_momentum_and_adds_no_energy(
         masses in [0.1..10.0, 0.1..10.0, 0.1..10.0, 0.1..10.0f64], velocities in [vector(), vector(), vector(), vector()],
         share in [0.0..1.0, 0.0..1.0f64], edges: bool, normal in vector(), e in 0.0..=1.0f64, rough: bool,
     ) {
@@ -52,15 +52,15 @@ proptest! {
         let expected = if along(&before) < 0.0 { -e * along(&before) } else { along(&before) };
         prop_assert!((along(&next) - expected).abs() < 1e-12, "{} became {}", along(&before), along(&next));
         prop_assert!(impulse >= 0.0);
-        // In flight, what the positions do is what the velocities do.
+        // In flight, positions change as velocities do.
         for (state, start) in next.iter().zip(curr) {
             prop_assert!((state.position - start.position).distance(state.velocity) < 1e-12);
         }
     }
 
-    /// The impulse on the two sides acts at one point, so that it turns nothing as a whole.
+    /// The impulses on the two sides act at one point, so they have no moment.
     #[test]
-    fn weights_are_those_of_the_point(corners in [vector(), vector(), vector()], share in [0.0..1.0, 0.0..1.0f64]) {
+    fn weights_reproduce_the_point(corners in [vector(), vector(), vector()], share in [0.0..1.0, 0.0..1.0f64]) {
         let [p1, p2, p3] = corners;
         let (s, t) = (share[0].min(share[1]), share[0].max(share[1]));
         prop_assume!((p2 - p1).cross(p3 - p1).length() > 0.01);
@@ -71,24 +71,27 @@ proptest! {
     }
 }
 
-/// What the printed forms of Eq. 2.10, 4.13 and 4.15 would do.
+/// Consequences of the printed forms of Eq. 2.10, 4.13 and 4.15.
 #[test]
 fn the_printed_signs_are_wrong() {
-    // An elastic collision that has no impulse contradicts Eq. 2.11.
+    // An elastic collision without an impulse contradicts Eq. 2.11.
     let printed = |e: f64, v: f64| -(1.0 - e) * v;
     assert_eq!(printed(1.0, -1.0), 0.0);
-    // Between two equal masses the printed impulse of a plastic collision is right, and that of any other leaves e v in place of -e v.
+    // Between equal masses the printed impulse is right for a plastic collision only; others keep e
+    // v instead of -e v.
     let after = |e: f64| -1.0 + printed(e, -1.0);
     assert_eq!(after(0.0), 0.0);
     assert_eq!(after(0.5), -0.5);
-    // A contact at p2: b is p2, so mu_b of Eq. 4.15 is |p2 - p3| / |p2 - p3| = 1 and mu_a is 1; Eq. 4.16 then loads p3 alone.
+    // A contact at p2: b is p2, so mu_b of Eq. 4.15 is |p2 - p3| / |p2 - p3| = 1 and mu_a is 1; Eq.
+    // 4.16 then loads p3 alone.
     let (mu_a, mu_b) = (1.0, 1.0);
     assert_eq!([1.0 - mu_a, (1.0 - mu_b) * mu_a, mu_a * mu_b], [0.0, 0.0, 1.0]);
     let [p1, p2, p3] = [DVec3::ZERO, DVec3::X, DVec3::Y];
     assert_eq!(weights(p2, p1, p2, p3), [0.0, 1.0, 0.0]);
 }
 
-/// Masses of single particles in place of the point's, as Eq. 4.13 reads, leave a third of the approach of a point to the middle of a face.
+/// Masses of single particles, as Eq. 4.13 reads, leave a third of the approach at the middle of a
+/// face.
 #[test]
 fn the_mass_is_that_of_the_point() {
     let third = 1.0f64 / 3.0;

@@ -1,4 +1,4 @@
-//! Table 5.2, and that culling only saves work.
+//! Table 5.2, and culling that only saves work.
 
 use teeter_dissertation::jenga3d::counters::{Counters, tests};
 use teeter_dissertation::jenga3d::{Constants, Culling, Disabling, Jenga3D};
@@ -8,7 +8,8 @@ fn full(rows: u32) -> Scene {
     tower(&TowerOptions { rows, ..TowerOptions::default() }).unwrap()
 }
 
-/// Counts of one step of a tower at rest as a mean over a frame, both calls of `CollideBlocks` in full: without a test, and after each.
+/// Returns the counts of one step of a tower at rest as means over a frame, with both calls of
+/// `CollideBlocks` in full: before any test, and after each.
 fn count(rows: u32, listed_boxes: bool) -> [u64; 5] {
     let constants =
         Constants { listed_boxes, skip_unchanged: false, disabling: Disabling::Off, ..Constants::default() };
@@ -25,10 +26,11 @@ fn count(rows: u32, listed_boxes: bool) -> [u64; 5] {
 }
 
 #[test]
-fn without_culling_it_is_the_formula() {
-    // Section 4.4.3 for the 52 blocks that it counts.
+fn counts_without_culling_follow_the_formula() {
+    // Section 4.4.3 counts 52 blocks.
     assert_eq!(tests(52), 445_536);
-    // The columns of Table 5.2 are headed blocks, but hold rows of three, and both calls of `CollideBlocks` in a step.
+    // The columns of Table 5.2 say blocks but count rows of three, and both calls of
+    // `CollideBlocks`.
     for (rows, printed) in [(6, 102_816), (9, 235_872), (18, 961_632)] {
         assert_eq!(2 * tests(3 * rows), printed);
     }
@@ -38,8 +40,9 @@ fn without_culling_it_is_the_formula() {
 }
 
 #[test]
-fn boxes_of_blocks_leave_neighbouring_rows() {
-    // Printed: nine pairs for each two neighbouring rows. Boxes of a tower that has settled are those, and what has moved together in a row.
+fn boxes_of_blocks_leave_adjacent_rows() {
+    // Printed: nine pairs for each two adjacent rows. A settled tower adds blocks in contact within
+    // a row.
     for (rows, printed) in [(6u32, 30_240), (9, 48_384), (18, 102_816)] {
         assert_eq!(u64::from(rows - 1) * 9 * 2 * 336, printed);
     }
@@ -48,20 +51,20 @@ fn boxes_of_blocks_leave_neighbouring_rows() {
     assert!(after_boxes < after_blocks / 3, "{after_boxes}");
 }
 
-/// With the boxes compared as Figure 5.5 lists it, all that is left is a third of what is printed or more, and not above it; put right, the boxes
-/// leave a sixth of that.
+/// With boxes compared as Figure 5.5 lists it, the remaining tests are a third of the printed ones
+/// or more, and not above. Compared correctly, the boxes leave a sixth of that.
 #[test]
-fn what_boxes_leave_as_listed() {
+fn listed_boxes_leave_about_the_printed_tests() {
     for (rows, printed) in [(6, [8_274, 174, 40]), (9, [13_480, 213, 67])] {
-        let (listed, meant) = (count(rows, true), count(rows, false));
+        let (listed, corrected) = (count(rows, true), count(rows, false));
         for (ours, printed) in listed[2..].iter().zip(printed) {
             assert!(*ours > printed / 3 && *ours < printed, "{rows} rows: {ours} for {printed}");
         }
         // "About 4-5 times more than the actual amount of collisions" (5.4.1).
         assert!((3..6).contains(&(listed[3] / listed[4])), "{listed:?}");
-        assert!(listed[2] > 5 * meant[2], "{listed:?} {meant:?}");
-        // The same but for corners that pass a face by less than the tolerance.
-        assert!(listed[4].abs_diff(meant[4]) <= 1, "{listed:?} {meant:?}");
+        assert!(listed[2] > 5 * corrected[2], "{listed:?} {corrected:?}");
+        // Equal up to corners that miss a face by less than the tolerance.
+        assert!(listed[4].abs_diff(corrected[4]) <= 1, "{listed:?} {corrected:?}");
     }
 }
 
@@ -77,8 +80,8 @@ fn culling_only_saves_work() {
         }
         (scene.curr, collisions)
     };
-    let usual = run(Culling::Planes, true, false);
-    assert!(usual.1 > 100);
+    let default = run(Culling::Planes, true, false);
+    assert!(default.1 > 100);
     for (culling, skip, listed) in [
         (Culling::None, false, false),
         (Culling::Blocks, false, false),
@@ -87,6 +90,6 @@ fn culling_only_saves_work() {
         (Culling::None, true, false),
         (Culling::Planes, true, true),
     ] {
-        assert!(run(culling, skip, listed) == usual, "{culling:?} {skip} {listed}");
+        assert!(run(culling, skip, listed) == default, "{culling:?} {skip} {listed}");
     }
 }

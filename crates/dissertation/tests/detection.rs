@@ -1,6 +1,7 @@
-//! Detection misses no crossing and invents none: against samples in time of moving primitives, which know nothing of cubics.
+//! Detection against samples in time of moving primitives, which do not use cubics.
 //!
-//! `PROPTEST_CASES=1000000 cargo test --release -p teeter-dissertation --test detection` is the long run.
+//! `PROPTEST_CASES=1000000 cargo test --release -p teeter-dissertation --test detection` is the
+//! long run.
 
 mod common;
 
@@ -11,13 +12,13 @@ use teeter_dissertation::jenga3d::edge_edge;
 use teeter_dissertation::jenga3d::path::Path;
 use teeter_dissertation::jenga3d::point_face;
 
-/// Instants at which the reference looks.
+/// Number of time samples of the reference.
 const SAMPLES: usize = 128;
 
-/// What the reference leaves open: how near the border of a primitive a crossing may be for it to have no opinion.
+/// Distance from the border of a primitive within which the reference does not decide.
 const MARGIN: f64 = 1e-6;
 
-/// The first change of sign of `value` from one sample to the next that `counts`, narrowed down by halves.
+/// Returns the first change of sign of `value` between samples that `counts`, by bisection.
 fn first_change(value: impl Fn(f64) -> f64, counts: impl Fn(f64, bool) -> bool) -> Option<f64> {
     let time = |k: usize| k as f64 / SAMPLES as f64;
     (0..SAMPLES).find_map(|k| {
@@ -39,15 +40,15 @@ fn volume(a: DVec3, b: DVec3, c: DVec3, d: DVec3) -> f64 {
     (d - a).dot((b - a).cross(c - a))
 }
 
-/// How uncertain rounding leaves the time of a change of sign: volumes of primitives of about 1 are differences of products that carry errors of
-/// some 1e-16, which a slow change turns into a long time.
+/// Uncertainty by rounding of the time of a change of sign. Volumes of primitives of size 1 have
+/// errors of about 1e-16, which a slow change turns into a long time.
 fn blur(value: impl Fn(f64) -> f64, t: f64) -> f64 {
     const ROUNDING: f64 = 1e-14;
     let apart = 1e-4;
     2.0 * apart * ROUNDING / (value(t + apart) - value(t - apart)).abs()
 }
 
-/// A way of a size from a tenth to a millionth of the primitives, as between steps, or as large as they are.
+/// Returns a path of the size of the primitives, or a tenth to a millionth of it.
 fn path_near(start: DVec3, step: DVec3, smaller: u32) -> Path {
     Path { start, step: step * 0.1f64.powi_exact(smaller) }
 }
@@ -66,12 +67,13 @@ proptest! {
     #![proptest_config(cases(40_000))]
 
     #[test]
-    fn points_and_faces(
+    fn point_face_detection_agrees_with_samples(
         corners in [vector(), vector(), vector()], share in [0.0..1.0, 0.0..1.0f64], aside in vector(), near in 0..7u32,
         steps in [vector(), vector(), vector(), vector()], smaller in 0..7u32,
     ) {
         let face = [0, 1, 2].map(|i| path_near(corners[i], steps[i], smaller));
-        // Above or below the triangle, as near as that, so that crossings are frequent at every scale of motion.
+        // The point starts near the triangle, so that crossings are frequent at every scale of
+        // motion.
         let (s, t) = (share[0].min(share[1]), share[0].max(share[1]));
         let on = corners[0] * s + corners[1] * (t - s) + corners[2] * (1.0 - t);
         let point = path_near(on + aside * 0.1f64.powi_exact(near), steps[3], smaller);
@@ -96,7 +98,7 @@ proptest! {
             prop_assert!((0.0..=1.0).contains(&hit.t));
             let [a, b, c, p] = at(hit.t);
             let size = (b - a).cross(c - a).length();
-            // The cubic is a difference of products of lengths of 1: that is what rounding leaves of them.
+            // The bound is the rounding error of the cubic for lengths of 1.
             prop_assert!(height(hit.t).abs() < 1e-13, "not in the plane: {}", height(hit.t) / size);
             if size > 1e-3 {
                 prop_assert!(shares(hit.t).iter().all(|w| *w > -MARGIN), "outside: {:?}", shares(hit.t));
@@ -107,7 +109,7 @@ proptest! {
     }
 
     #[test]
-    fn edges_and_edges(
+    fn edge_edge_detection_agrees_with_samples(
         first in [vector(), vector()], along in [0.0..1.0, 0.0..1.0f64], direction in vector(), aside in vector(), near in 0..7u32,
         steps in [vector(), vector(), vector(), vector()], smaller in 0..7u32,
     ) {
@@ -117,17 +119,17 @@ proptest! {
 
         let at = |t: f64| [a[0].at(t), a[1].at(t), b[0].at(t), b[1].at(t)];
         let height = |t: f64| { let [p1, p2, p3, p4] = at(t); volume(p1, p2, p3, p4) };
-        // Where each crosses the other as seen along their common normal: by what side of a plane through the other its ends are on.
-        let places = |t: f64| {
+        // Position of the crossing on each edge, seen along their common normal.
+        let positions = |t: f64| {
             let [p1, p2, p3, p4] = at(t);
             let n = (p2 - p1).cross(p4 - p3);
-            let place = |x: DVec3, y: DVec3, u: DVec3, v: DVec3| {
+            let position = |x: DVec3, y: DVec3, u: DVec3, v: DVec3| {
                 let side = |p: DVec3| (p - u).dot((v - u).cross(n));
                 side(x) / (side(x) - side(y))
             };
-            [place(p1, p2, p3, p4), place(p3, p4, p1, p2)]
+            [position(p1, p2, p3, p4), position(p3, p4, p1, p2)]
         };
-        let inside = |t: f64, margin: f64| places(t).iter().all(|mu| *mu > margin && *mu < 1.0 - margin);
+        let inside = |t: f64, margin: f64| positions(t).iter().all(|mu| *mu > margin && *mu < 1.0 - margin);
         let across = |t: f64| { let [p1, p2, p3, p4] = at(t); (p2 - p1).cross(p4 - p3).length() };
         let distance = edge_edge::distance(&a, &b);
         let hit = if distance.may_have_root() { edge_edge::first_hit(&distance, &a, &b, 0.0) } else { None };
@@ -140,22 +142,22 @@ proptest! {
             prop_assert!((0.0..=1.0).contains(&hit.t));
             prop_assert!(height(hit.t).abs() < 1e-13, "not crossing: {}", height(hit.t));
             if across(hit.t) > 1e-3 {
-                prop_assert!(inside(hit.t, -MARGIN), "beyond the ends: {:?}", places(hit.t));
+                prop_assert!(inside(hit.t, -MARGIN), "beyond the ends: {:?}", positions(hit.t));
                 let [p1, p2, p3, p4] = at(hit.t);
                 let (on_a, on_b) = (p1 + hit.mu_1 * (p2 - p1), p3 + hit.mu_2 * (p4 - p3));
-                prop_assert!(on_a.distance(on_b) < 1e-9, "places of another point: {} {}", hit.mu_1, hit.mu_2);
+                prop_assert!(on_a.distance(on_b) < 1e-9, "positions of another point: {} {}", hit.mu_1, hit.mu_2);
             }
         }
     }
 }
 
-/// The plane test of section 4.4.1 looks at the two ends only, and so misses a point that goes through a turning face and comes back out of
-/// it within the step; the detection that collisions use does not.
+/// The plane test of section 4.4.1 compares the two ends only and misses a point that passes a
+/// rotating face and returns within the step. The detection of collisions finds it.
 #[test]
-fn a_point_that_comes_back_is_seen() {
+fn a_point_that_returns_within_the_step_is_detected() {
     let still = |start: DVec3| Path { start, step: DVec3::ZERO };
-    // Clockwise from above, and from the start to the end tilted down and up again by the motion of the point alone: the face rises on one
-    // side and falls on the other, so that a point which crosses it sideways is above, below and above.
+    // Clockwise from above. The face rises on one side and falls on the other, so a point that
+    // crosses it sideways is above, below and above.
     let face = [still(DVec3::new(-1.0, 0.0, 0.0)), still(DVec3::new(0.0, 1.0, 0.0)), still(DVec3::new(1.0, 0.0, 0.0))];
     let turning = [
         Path { start: DVec3::new(-1.0, -1.0, 0.0), step: DVec3::new(0.0, 0.0, 0.8) },

@@ -1,4 +1,4 @@
-//! The prototypes in the plane: what each method of chapter 2 can do with a stack, and what it cannot.
+//! Prototypes in the plane: abilities and limits of each method of chapter 2 on a stack.
 
 mod common;
 
@@ -13,10 +13,10 @@ use teeter_dissertation::flat::scene::{Rectangle, apart, section, stack};
 use teeter_dissertation::flat::{Detection, Method, Rigid2D, Springs2D, springs};
 use teeter_scene::named;
 
-/// What a second or two of a world was like.
+/// Summary of a run.
 #[derive(Debug, Default)]
 struct Run {
-    most_iterations: u32,
+    max_iterations_used: u32,
     capped: u32,
     failures: u32,
     resting: u32,
@@ -26,7 +26,7 @@ fn run(world: &mut Rigid2D, seconds: f64) -> Run {
     let mut run = Run::default();
     for _ in 0..(seconds / world.constants.step) as u32 {
         let Report { iterations, capped, resting, failure } = world.step();
-        run.most_iterations = run.most_iterations.max(iterations);
+        run.max_iterations_used = run.max_iterations_used.max(iterations);
         run.capped += u32::from(capped);
         run.failures += u32::from(failure.is_some());
         run.resting = run.resting.max(resting);
@@ -38,9 +38,9 @@ fn highest(world: &Rigid2D) -> f64 {
     (0..world.len()).map(|n| world.pose(n).0.y).fold(0.0, f64::max)
 }
 
-/// A stack that begins at rest stays there: Dantzig's algorithm finds the forces, and nothing collides.
+/// A stack at rest stays at rest: Dantzig's algorithm finds the forces, and nothing collides.
 #[test]
-fn constraints_hold_what_rests() {
+fn constraints_hold_a_resting_stack() {
     for count in [1, 2, 5, 10] {
         let mut world = Rigid2D::new(&stack(count, 0.0), Constants::of(Method::Constraint));
         let run = run(&mut world, 2.0);
@@ -49,16 +49,19 @@ fn constraints_hold_what_rests() {
     }
 }
 
-/// Figure 3.3: while one pair is resolved the others are ignored, so that a stack that falls onto itself needs ever more iterations, until the
-/// limit ends what would not end by itself. Springs give way instead, and need no more than a couple of rounds however high the stack is.
+/// Figure 3.3: while a pair is resolved the others are ignored, so a falling stack needs ever more
+/// iterations up to the limit. Springs yield instead, and need a few rounds at any height.
 #[test]
-fn a_stack_that_falls_onto_itself() {
+fn a_falling_stack_reaches_the_limit_of_constraints() {
     let rigid = |count| run(&mut Rigid2D::new(&stack(count, 1e-3), Constants::of(Method::Constraint)), 1.0);
     let (one, three, eight) = (rigid(1), rigid(3), rigid(8));
     println!("{one:?}\n{three:?}\n{eight:?}");
-    assert!(one.capped == 0 && one.most_iterations <= 2, "{one:?}");
-    assert!(three.most_iterations > 5 * one.most_iterations, "{three:?}");
-    assert!(eight.capped > 0 && eight.most_iterations == Constants::of(Method::Constraint).max_iterations, "{eight:?}");
+    assert!(one.capped == 0 && one.max_iterations_used <= 2, "{one:?}");
+    assert!(three.max_iterations_used > 5 * one.max_iterations_used, "{three:?}");
+    assert!(
+        eight.capped > 0 && eight.max_iterations_used == Constants::of(Method::Constraint).max_iterations,
+        "{eight:?}"
+    );
     for count in [1, 3, 8] {
         let mut world = Springs2D::new(&stack(count, 1e-3), springs::Constants::default());
         for _ in 0..4000 {
@@ -73,9 +76,9 @@ fn a_stack_that_falls_onto_itself() {
     }
 }
 
-/// The penalty method carries a stack by its depth: each contact point is as deep as Eq. 2.12 says for its share of the weight.
+/// Each contact point of the penalty method has the depth of Eq. 2.12 for its share of the weight.
 #[test]
-fn penalty_depth() {
+fn penalty_depth_follows_the_weight() {
     let constants = Constants::of(Method::Penalty);
     let mut world = Rigid2D::new(&stack(4, 0.0), constants);
     run(&mut world, 2.0);
@@ -84,22 +87,22 @@ fn penalty_depth() {
     assert!((depth / (0.5 * weight / constants.stiffness) - 1.0).abs() < 0.01, "{depth}");
 }
 
-/// Micro-collisions carry it too, at a price in impulses that grows with the height.
+/// Micro-collisions carry a stack with a number of impulses that grows with the height.
 #[test]
 fn micro_collisions_carry_a_stack() {
-    let mut most = [0; 2];
-    for (count, most) in [1, 3].into_iter().zip(&mut most) {
+    let mut max = [0; 2];
+    for (count, max) in [1, 3].into_iter().zip(&mut max) {
         let mut world = Rigid2D::new(&stack(count, 0.0), Constants::of(Method::MicroCollisions));
         let run = run(&mut world, 1.0);
-        *most = run.most_iterations;
+        *max = run.max_iterations_used;
         assert!((highest(&world) - (f64::from(count) - 0.5) * 0.018).abs() < 1e-4, "{count}");
     }
-    assert!(most[1] > 3 * most[0], "{most:?}");
+    assert!(max[1] > 3 * max[0], "{max:?}");
 }
 
-/// The bottom rows of the dissertation's tests as sections: a stable one stands by every method that can carry a stack.
+/// A section of a stable static test stands with every method that carries a stack.
 #[test]
-fn sections_of_scenes() {
+fn sections_of_scenes_stand() {
     let test_1 = section(&named("test-1").unwrap());
     assert_eq!(
         test_1.iter().map(|b| (b.size.x * 1e4).round()).collect::<Vec<_>>(),
@@ -120,12 +123,12 @@ fn square(centre: DVec2, angle: f64) -> Body {
     Body { angle, ..Body::new(&Rectangle { size: DVec2::new(2.0, 1.0), mass: 1.0, centre }) }
 }
 
-/// Dantzig's algorithm where there is no answer, or more than one.
+/// Dantzig's algorithm on problems with no solution, or several.
 #[test]
 fn problems_without_a_solution_are_reported() {
-    // Nothing stops what no force reaches.
+    // No force acts on this acceleration.
     assert_eq!(lcp::solve(&[vec![0.0]], &[-1.0]), Err(LcpError::Unbounded(0)));
-    // One load on two contacts at the same place: any share will do, and one of them carries all.
+    // Two contacts at the same position share one load in any ratio; the solver loads one of them.
     let shared = lcp::solve(&[vec![1.0, 1.0], vec![1.0, 1.0]], &[-1.0, -1.0]).unwrap();
     assert_eq!(shared[0] + shared[1], 1.0);
 }
@@ -133,9 +136,10 @@ fn problems_without_a_solution_are_reported() {
 proptest! {
     #![proptest_config(cases(2_000))]
 
-    /// Eq. 2.13 to 2.15 hold for what is solved; with more motions than contacts everything is.
+    /// Solutions satisfy Eq. 2.13 to 2.15; with more degrees of freedom than contacts there always
+    /// is one.
     #[test]
-    fn dantzig(rows in prop::collection::vec([-1.0..1.0, -1.0..1.0, -1.0..1.0, -1.0..1.0, -1.0..1.0, -1.0..1.0f64], 1..5),
+    fn solutions_satisfy_complementarity(rows in prop::collection::vec([-1.0..1.0, -1.0..1.0, -1.0..1.0, -1.0..1.0, -1.0..1.0, -1.0..1.0f64], 1..5),
                b in [-1.0..1.0, -1.0..1.0, -1.0..1.0, -1.0..1.0, -1.0..1.0f64]) {
         let n = rows.len();
         let dot = |i: usize, j: usize| rows[i].iter().zip(rows[j]).map(|(x, y)| x * y).sum::<f64>();
@@ -143,15 +147,15 @@ proptest! {
         let f = lcp::solve(&matrix, &b[..n]).unwrap();
         for i in 0..n {
             let a: f64 = (0..n).map(|j| matrix[i][j] * f[j]).sum::<f64>() + b[i];
-            let size = 1.0 + f.iter().fold(0.0, |most: f64, x| most.max(x.abs()));
+            let size = 1.0 + f.iter().fold(0.0, |max: f64, x| max.max(x.abs()));
             prop_assert!(f[i] >= 0.0);
             prop_assert!(a >= -1e-9 * size, "{i}: {a}");
             prop_assert!((f[i] * a).abs() <= 1e-9 * size * size, "{i}: {} {a}", f[i]);
         }
     }
 
-    /// Overlap by axes is overlap by points: two rectangles overlap exactly when some point of a fine grid of one is in the other, but for what
-    /// is thinner than the grid.
+    /// Rectangles overlap by axes exactly if a point of a fine grid of one is in the other, up to
+    /// the spacing of the grid.
     #[test]
     fn axes_and_points_agree(x in -2.5..2.5f64, y in -2.5..2.5f64, turn in 0.0..3.2f64) {
         let (a, b) = (square(DVec2::ZERO, 0.3), square(DVec2::new(x, y), turn));
@@ -168,14 +172,15 @@ proptest! {
         prop_assert_eq!(Tester::new(false).overlap((0, 1), &a, &b, 0.0), gap < 0.0);
     }
 
-    /// The moving test finds the first overlap of bodies that do not turn: apart just before, together just after, and none missed by samples.
+    /// The moving test finds the first overlap of bodies that do not rotate, and samples find none
+    /// before it.
     #[test]
-    fn moving_axes(x in -4.0..4.0f64, y in -4.0..4.0f64, turn in 0.0..3.2f64, way in [-5.0..5.0, -5.0..5.0f64]) {
+    fn moving_axes_find_the_first_overlap(x in -4.0..4.0f64, y in -4.0..4.0f64, turn in 0.0..3.2f64, displacement in [-5.0..5.0, -5.0..5.0f64]) {
         let (a, b) = (square(DVec2::ZERO, 0.3), square(DVec2::new(x, y), turn));
-        let way = DVec2::from(way);
+        let displacement = DVec2::from(displacement);
         prop_assume!(axes::max_separation(&a, &b).1 > 0.01);
-        let at = |t: f64| axes::max_separation(&a, &Body { centre: b.centre + t * way, ..b }).1;
-        let found = Tester::new(false).first_overlap(&a, &b, way, 0.0);
+        let at = |t: f64| axes::max_separation(&a, &Body { centre: b.centre + t * displacement, ..b }).1;
+        let found = Tester::new(false).first_overlap(&a, &b, displacement, 0.0);
         let sampled = (0..=500).map(|k| f64::from(k) / 500.0).find(|&t| at(t) < -1e-9);
         match (found, sampled) {
             (Some(t), sampled) => {
@@ -187,7 +192,7 @@ proptest! {
     }
 }
 
-/// Witnesses change no result and save axes; moving axes save them too, where nothing turns.
+/// Witnesses change no result and save axes; moving axes save tests where nothing rotates.
 #[test]
 fn witnesses_save_axes() {
     let fall = |witnesses, detection| {
@@ -205,18 +210,18 @@ fn witnesses_save_axes() {
     assert!(moving.pairs < with.pairs, "{moving:?} {with:?}");
 }
 
-/// The moving test does not see a turn: two bodies that are beside each other and do not move, one of which turns into the other.
+/// The moving test misses a body that rotates into another without moving.
 #[test]
-fn moving_axes_miss_a_turn() {
+fn moving_axes_miss_a_rotation() {
     let (still, upright) = (square(DVec2::ZERO, 0.0), square(DVec2::new(1.6, 0.0), std::f64::consts::FRAC_PI_2));
     assert!(axes::max_separation(&still, &upright).1 > 0.0);
     assert_eq!(Tester::new(false).first_overlap(&still, &upright, DVec2::ZERO, 0.0), None);
     assert!(axes::max_separation(&still, &square(DVec2::new(1.6, 0.0), 0.0)).1 < 0.0);
 }
 
-/// Impulses conserve momentum and never add energy, whatever the restitution.
+/// Impulses conserve momentum and add no energy, for any restitution.
 #[test]
-fn collisions_in_flight() {
+fn collisions_in_flight_conserve_momentum() {
     for restitution in [0.0, 0.5, 1.0] {
         for method in [Method::Constraint, Method::MicroCollisions] {
             let constants = Constants { restitution, gravity: 0.0, friction: 0.0, ..Constants::of(method) };

@@ -1,4 +1,4 @@
-//! What section 6.3 leaves for later: static friction, disabling by rigid motion, orders of pairs.
+//! Future work of section 6.3: static friction, disabling by rigid motion, orders of pairs.
 
 use glam::DVec3;
 use teeter_dissertation::jenga3d::{Constants, Disabling, Hand, HandMode, Jenga3D, Order};
@@ -20,9 +20,9 @@ fn without_disabling() -> Constants {
     Constants { disabling: Disabling::Off, ..Constants::default() }
 }
 
-/// A block that slides on the floor comes to rest after v² / (2 mu g), by force or by blows.
+/// A sliding block stops after v² / (2 mu g), by friction forces or impulses.
 #[test]
-fn sliding_distance() {
+fn a_sliding_block_stops_at_its_distance() {
     for static_friction in [None, Some(0.4)] {
         let constants = Constants { static_friction, drag: 0.0, ..without_disabling() };
         let mut one = settled(&named("block").unwrap(), constants, 30);
@@ -39,11 +39,12 @@ fn sliding_distance() {
     }
 }
 
-/// Static friction holds a block against a steady push below mu N, where dynamic friction lets it creep; above it both let it go.
+/// Static friction holds a block against a steady push below mu N, where kinetic friction lets it
+/// creep. Above the limit the block slides with both.
 #[test]
 fn a_push_below_the_limit_moves_nothing() {
     let pushed = |static_friction, share: f64| {
-        // The target is so far off that the force does not change with the place.
+        // The target is so far away that the force is nearly constant.
         let force = share * 0.4 * 0.0196 * 9.81;
         let constants = Constants {
             static_friction,
@@ -70,17 +71,18 @@ fn a_push_below_the_limit_moves_nothing() {
     }
 }
 
-/// The whole tower is disabled once it is still, its neighbours wake when a block is pulled, and what falls is never disabled before.
+/// A resting tower is disabled, a pulled block wakes its neighbours, and a falling tower is not
+/// disabled before it has fallen.
 #[test]
-fn disabling_by_rigid_motion() {
+fn rigid_motion_disables_resting_blocks_only() {
     let constants = Constants { disabling: Disabling::Rigid, ..Constants::default() };
     let mut six = settled(&six_rows(), constants.clone(), 120);
     assert!(six.model.blocks.iter().all(|b| !b.active));
-    // No pair is tested any more, and nothing moves.
+    // No pair is tested and nothing moves.
     let before = six.centres();
     assert_eq!(six.step(None).all.potential, 0);
     assert_eq!(six.centres(), before);
-    // The middle block of the top row, pulled out along itself.
+    // The middle block of the top row is pulled out along its long axis.
     let hand = Hand { block: 16, target: six.centres()[16] + 0.06 * DVec3::Y };
     for _ in 0..30 {
         six.frame(Some(&hand));
@@ -97,21 +99,22 @@ fn disabling_by_rigid_motion() {
     }
 }
 
-/// By the rule of appendix 2.5 some blocks of a tower at rest stay enabled, for they breathe (Figure 6.22).
+/// The rule of appendix 2.5 leaves some blocks of a resting tower enabled, because they vibrate
+/// (Figure 6.22).
 #[test]
 fn the_listed_rule_leaves_some_enabled() {
     let mut six = settled(&six_rows(), Constants::default(), 120);
-    let mut least = usize::MAX;
+    let mut min = usize::MAX;
     for _ in 0..60 {
         six.frame(None);
-        least = least.min(six.model.blocks.iter().filter(|b| !b.active).count());
+        min = min.min(six.model.blocks.iter().filter(|b| !b.active).count());
     }
-    assert!(least < 18, "{least}");
+    assert!(min < 18, "{min}");
 }
 
-/// All orders resolve all collisions, in a couple of rounds.
+/// All orders resolve all collisions in a few rounds.
 #[test]
-fn orders_of_pairs() {
+fn every_order_of_pairs_resolves_all_collisions() {
     for order in [Order::Naive, Order::BottomUp, Order::TopDown] {
         let mut six = settled(&six_rows(), Constants { order, ..without_disabling() }, 30);
         let report = six.frame(None);

@@ -1,10 +1,10 @@
-//! The ini file: what is written is read, and what is wrong is said with its line.
+//! Ini files: round trip, and errors with their line.
 
 use teeter_dissertation::jenga3d::{Constants, Disabling, Jenga3D, Method};
 use teeter_scene::named;
 
 #[test]
-fn round_trip() {
+fn an_ini_file_round_trips() {
     let constants = Constants {
         stiffness: 12_345.678,
         static_friction: Some(0.45),
@@ -21,7 +21,7 @@ fn round_trip() {
 }
 
 #[test]
-fn what_is_wrong_is_said() {
+fn errors_name_their_line() {
     for (text, expected) in [
         ("[Spring]", "line 1: there is no section [Spring]"),
         ("[Springs]\nfriction = 1", "line 2: there is no `friction` in section [Springs]"),
@@ -35,7 +35,7 @@ fn what_is_wrong_is_said() {
 }
 
 #[test]
-fn senseless_constants_are_refused() {
+fn constants_out_of_range_are_rejected() {
     let block = named("block").unwrap();
     for text in [
         "[Simulation]\nmid_loop_count = 0",

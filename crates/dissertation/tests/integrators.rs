@@ -1,4 +1,4 @@
-//! Integrators have the order that they are known for, on the motion of one particle on a spring, whose solution is a cosine.
+//! Orders of the integrators on one particle on a spring, whose solution is a cosine.
 
 use glam::DVec3;
 use teeter_dissertation::jenga3d::Method;
@@ -17,7 +17,7 @@ fn spring(states: &mut [State]) {
     }
 }
 
-/// Distance in phase from the solution at t = 1 after so many steps.
+/// Returns the distance in phase space from the solution at t = 1 after `steps` steps.
 fn error(steps: u32, mut step: impl FnMut(&mut Vec<State>, &mut Vec<State>, f64)) -> f64 {
     let (mut curr, mut next) = (start(), start());
     for _ in 0..steps {
@@ -28,7 +28,7 @@ fn error(steps: u32, mut step: impl FnMut(&mut Vec<State>, &mut Vec<State>, f64)
     ((curr[0].position.x - x) * (curr[0].position.x - x) + (curr[0].velocity.x - v) * (curr[0].velocity.x - v)).sqrt()
 }
 
-/// By how many powers of two the error falls when the step is halved.
+/// Returns the binary logarithm of the ratio of errors when the step is halved.
 fn order(steps: u32, mut step: impl FnMut(&mut Vec<State>, &mut Vec<State>, f64)) -> f64 {
     libm::log2(error(steps, &mut step) / error(2 * steps, &mut step))
 }
@@ -43,7 +43,7 @@ fn step_by(method: Method, steps: u32) -> impl FnMut(&mut Vec<State>, &mut Vec<S
 }
 
 #[test]
-fn orders() {
+fn integrators_have_their_order() {
     for (method, expected) in [(Method::Euler, 1.0), (Method::Multi, 1.0), (Method::Midpoint, 2.0), (Method::Rk4, 4.0)]
     {
         let order = order(64, step_by(method, 4));
@@ -51,7 +51,7 @@ fn orders() {
     }
 }
 
-/// Four steps at once are four steps.
+/// Four internal steps equal four steps.
 #[test]
 fn multi_is_euler_several_times() {
     let multi = error(16, step_by(Method::Multi, 4));
@@ -59,8 +59,8 @@ fn multi_is_euler_several_times() {
     assert!((multi - euler).abs() < 1e-14);
 }
 
-/// Figure 4.12 steps the positions with Eq. 4.5, whose velocity is that of the end of the step: with its lists put right, it is still no
-/// midpoint method but one of the first order.
+/// Figure 4.12 moves the positions by Eq. 4.5 with the velocity at the end of the step. With its
+/// lists corrected it is still a method of the first order.
 #[test]
 fn figure_4_12_is_of_the_first_order() {
     let figure = |curr: &mut Vec<State>, next: &mut Vec<State>, h: f64| {

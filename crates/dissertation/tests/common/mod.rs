@@ -1,12 +1,12 @@
-//! What several tests share.
+//! Helpers of the tests.
 #![allow(dead_code)]
 
 use glam::DVec3;
 use proptest::prelude::*;
 
-/// Cases of a property: so many, or as many as `PROPTEST_CASES` says.
-pub fn cases(usual: u32) -> ProptestConfig {
-    let cases = std::env::var("PROPTEST_CASES").ok().and_then(|n| n.parse().ok()).unwrap_or(usual);
+/// Configuration of a property with `default` cases, which `PROPTEST_CASES` overrides.
+pub fn cases(default: u32) -> ProptestConfig {
+    let cases = std::env::var("PROPTEST_CASES").ok().and_then(|n| n.parse().ok()).unwrap_or(default);
     ProptestConfig { cases, failure_persistence: None, ..ProptestConfig::default() }
 }
 
