@@ -6,15 +6,15 @@
 use glam::{DQuat, DVec3};
 
 use crate::kernel::{Group, Row};
-use crate::lanes::{LANES, Lanes, Real};
 use crate::lattice::{Particles, Springs};
+use crate::simd::lanes::{LANES, Lanes, Real};
 
 /// [`LANES`] bodies of one form, a lane each.
 pub trait Form<R: Real>: Clone + std::fmt::Debug + Send + Sync {
     /// Rows of velocity, and of force, that a body has.
     const ROWS: usize;
     /// How two bodies move against each other.
-    type Motion<L: Lanes<Number = R>>: Motion<L>;
+    type Motion<L: Lanes<Scalar = R>>: Motion<L>;
 
     /// Bodies at rest without mass or bounds, for empty lanes.
     fn empty() -> Self;
@@ -23,10 +23,10 @@ pub trait Form<R: Real>: Clone + std::fmt::Debug + Send + Sync {
     fn load(&mut self, l: usize, body: &Loading, velocity: &mut [Row<R>], load: &mut [Row<R>]);
 
     /// How B moves against A at the contacts of a part of a group, along their frames.
-    fn relative<L: Lanes<Number = R>>(group: &Group<R>, part: usize, velocity: &[Row<R>], motion: &mut Self::Motion<L>);
+    fn relative<L: Lanes<Scalar = R>>(group: &Group<R>, part: usize, velocity: &[Row<R>], motion: &mut Self::Motion<L>);
 
     /// Adds what the contacts did to the forces on B, and takes it from those on A. Uses up the sum.
-    fn react<L: Lanes<Number = R>>(
+    fn react<L: Lanes<Scalar = R>>(
         group: &Group<R>,
         part: usize,
         sum: &mut <Self::Motion<L> as Motion<L>>::Wrench,
@@ -34,7 +34,7 @@ pub trait Form<R: Real>: Clone + std::fmt::Debug + Send + Sync {
     );
 
     /// Advances a part of the bodies by a substep with the forces on them, which begin anew with the load.
-    fn integrate<L: Lanes<Number = R>>(
+    fn integrate<L: Lanes<Scalar = R>>(
         &mut self,
         part: usize,
         velocity: &mut [Row<R>],
@@ -43,7 +43,7 @@ pub trait Form<R: Real>: Clone + std::fmt::Debug + Send + Sync {
     );
 
     /// Whether one of a part of them has gone as far as it may between two syncs.
-    fn beyond<L: Lanes<Number = R>>(&self, part: usize) -> bool;
+    fn beyond<L: Lanes<Scalar = R>>(&self, part: usize) -> bool;
 
     /// Displacement (m) and turn (rad) of the body in lane `l` since its pose was made exact.
     fn displacement(&self, l: usize) -> (DVec3, DVec3);

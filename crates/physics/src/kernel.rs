@@ -17,10 +17,10 @@ use crate::constants::GUARD_SUBSTEPS;
 use crate::drive::Servo;
 use crate::form::{Form, Motion, Push, Taken};
 use crate::hand::Pull;
-#[cfg(target_arch = "x86_64")]
-use crate::lanes::portable;
-use crate::lanes::{LANES, Lanes, ROW, Real};
 use crate::params::Width;
+use crate::simd::lanes::{LANES, Lanes, ROW_LEN, Real};
+#[cfg(target_arch = "x86_64")]
+use crate::simd::portable;
 
 /// Points of an entry; a manifold with more has several entries.
 pub const SLOTS: usize = 4;
@@ -57,7 +57,7 @@ pub struct PointLanes<R> {
 pub struct Group<R> {
     /// Points of each contact.
     pub counts: [u8; LANES],
-    /// Where the rows of the bodies begin: [`ROW`] times the number of the row.
+    /// Where the rows of the bodies begin: [`ROW_LEN`] times the number of the row.
     pub a: [u32; LANES],
     pub b: [u32; LANES],
     /// Normal and tangents in the world.
@@ -87,19 +87,19 @@ impl<R: Real> Group<R> {
 
     /// Normal and tangents in the world, of a part.
     #[inline(always)]
-    pub fn frame_of<L: Lanes<Number = R>>(&self, part: usize) -> [[L; 3]; 3] {
+    pub fn frame_of<L: Lanes<Scalar = R>>(&self, part: usize) -> [[L; 3]; 3] {
         [load3(&self.frame[0], part), load3(&self.frame[1], part), load3(&self.frame[2], part)]
     }
 
     /// What normal and tangents have along axis `k` of the world, of a part.
     #[inline(always)]
-    pub fn axes_along<L: Lanes<Number = R>>(&self, k: usize, part: usize) -> [L; 3] {
+    pub fn axes_along<L: Lanes<Scalar = R>>(&self, k: usize, part: usize) -> [L; 3] {
         [load(&self.frame[0][k], part), load(&self.frame[1][k], part), load(&self.frame[2][k], part)]
     }
 
     /// Writes the components of a vector along normal and tangents, of a part.
     #[inline(always)]
-    pub fn resolve<L: Lanes<Number = R>>(&self, part: usize, v: &[L; 3], to: &mut [L; 3]) {
+    pub fn resolve<L: Lanes<Scalar = R>>(&self, part: usize, v: &[L; 3], to: &mut [L; 3]) {
         for (axis, to) in self.frame.iter().zip(to) {
             write_in_turn(to, dot(&load3(axis, part), v));
         }
@@ -127,7 +127,7 @@ impl<R: Real> Group<R> {
 /// A body's velocity and spin (m and rad per substep), or force and torque (N and N m): x, y, z, 0, x, y, z, 0.
 #[derive(Debug, Clone, Copy, Default)]
 #[repr(align(32))]
-pub struct Row<R>(pub [R; ROW]);
+pub struct Row<R>(pub [R; ROW_LEN]);
 
 impl<R: Real> Row<R> {
     /// The row of two vectors.
@@ -245,7 +245,7 @@ impl<R: Real, F: Form<R>> Kernel<R, F> {
     }
 
     #[inline(always)]
-    fn run_in<L: Lanes<Number = R>>(&mut self, law: &Law<R>, substeps: usize, actors: &mut Actors) -> usize {
+    fn run_in<L: Lanes<Scalar = R>>(&mut self, law: &Law<R>, substeps: usize, actors: &mut Actors) -> usize {
         self.force.copy_from_slice(&self.load);
         let mut parts: Vec<Part<L, F::Motion<L>>> = self.groups.iter().flat_map(Part::of).collect();
         for done in 0..substeps {
@@ -287,12 +287,12 @@ impl<R: Real, F: Form<R>> Kernel<R, F> {
 
     /// Where the rows of a body begin.
     pub fn place(&self, i: u32) -> u32 {
-        i * (F::ROWS * ROW) as u32
+        i * (F::ROWS * ROW_LEN) as u32
     }
 
     /// Where the rows of the floor begin.
     pub fn floor(&self) -> u32 {
-        ((self.velocity.len() - F::ROWS) * ROW) as u32
+        ((self.velocity.len() - F::ROWS) * ROW_LEN) as u32
     }
 
     /// Displacement (m) and turn (rad) of a body since its pose was made exact.
@@ -332,8 +332,8 @@ pub fn put3<R: Real>(to: &mut [Lane<R>; 3], l: usize, x: DVec3) {
 
 /// The row that begins at a place that is known to be one.
 #[inline(always)]
-pub fn row<R>(rows: &[Row<R>], start: u32) -> &[R; ROW] {
-    debug_assert!((start as usize).is_multiple_of(ROW) && (start as usize) < ROW * rows.len());
+pub fn row<R>(rows: &[Row<R>], start: u32) -> &[R; ROW_LEN] {
+    debug_assert!((start as usize).is_multiple_of(ROW_LEN) && (start as usize) < ROW_LEN * rows.len());
     // SAFETY: `Packing::load` is what fills groups, and it lays out a row for every body it names and for the floor. The place is one
     // in numbers because a processor can multiply an index by the size of a number as it reads, but not by that of a row.
     unsafe { &*rows.as_ptr().cast::<R>().add(start as usize).cast() }
@@ -341,8 +341,8 @@ pub fn row<R>(rows: &[Row<R>], start: u32) -> &[R; ROW] {
 
 /// The same, to write to.
 #[inline(always)]
-pub fn row_mut<R>(rows: &mut [Row<R>], start: u32) -> &mut [R; ROW] {
-    debug_assert!((start as usize).is_multiple_of(ROW) && (start as usize) < ROW * rows.len());
+pub fn row_mut<R>(rows: &mut [Row<R>], start: u32) -> &mut [R; ROW_LEN] {
+    debug_assert!((start as usize).is_multiple_of(ROW_LEN) && (start as usize) < ROW_LEN * rows.len());
     // SAFETY: as for `row`.
     unsafe { &mut *rows.as_mut_ptr().cast::<R>().add(start as usize).cast() }
 }
@@ -362,24 +362,24 @@ pub fn write_in_turn<T: Copy>(to: &mut T, x: T) {
 }
 
 #[inline(always)]
-pub fn load<L: Lanes>(from: &Lane<L::Number>, part: usize) -> L {
+pub fn load<L: Lanes>(from: &Lane<L::Scalar>, part: usize) -> L {
     L::load(&from.0, part)
 }
 
 #[inline(always)]
-pub fn load3<L: Lanes>(from: &[Lane<L::Number>; 3], part: usize) -> [L; 3] {
+pub fn load3<L: Lanes>(from: &[Lane<L::Scalar>; 3], part: usize) -> [L; 3] {
     [load(&from[0], part), load(&from[1], part), load(&from[2], part)]
 }
 
 #[inline(always)]
-pub fn store3<L: Lanes>(to: &mut [Lane<L::Number>; 3], part: usize, x: &[L; 3]) {
+pub fn store3<L: Lanes>(to: &mut [Lane<L::Scalar>; 3], part: usize, x: &[L; 3]) {
     x[0].store(&mut to[0].0, part);
     x[1].store(&mut to[1].0, part);
     x[2].store(&mut to[2].0, part);
 }
 
 #[inline(always)]
-pub fn add<L: Lanes>(to: &mut [Lane<L::Number>; 3], part: usize, x: &[L; 3]) {
+pub fn add<L: Lanes>(to: &mut [Lane<L::Scalar>; 3], part: usize, x: &[L; 3]) {
     let at = load3::<L>(to, part);
     store3(to, part, &[at[0] + x[0], at[1] + x[1], at[2] + x[2]]);
 }
@@ -421,7 +421,7 @@ struct Part<L: Lanes, M: Motion<L>> {
 
 impl<L: Lanes, M: Motion<L>> Part<L, M> {
     /// Those of a group.
-    fn of(group: &Group<L::Number>) -> impl Iterator<Item = Self> {
+    fn of(group: &Group<L::Scalar>) -> impl Iterator<Item = Self> {
         group.counts.chunks_exact(L::WIDTH).map(|counts| {
             let count = counts.iter().fold(0, |most, &count| most.max(count));
             Self { count, motion: M::still(), sum: M::no_force() }
@@ -434,12 +434,12 @@ impl<L: Lanes, M: Motion<L>> Part<L, M> {
 /// Each stage is done for all of them before the next is begun: its loop is short, and a processor looks ahead from one contact into others.
 /// Parts are lent to `zip`, or it would walk both by one index and multiply that at each step.
 #[inline(always)]
-fn contacts<L: Lanes, F: Form<L::Number>>(
-    groups: &mut [Group<L::Number>],
+fn contacts<L: Lanes, F: Form<L::Scalar>>(
+    groups: &mut [Group<L::Scalar>],
     parts: &mut [Part<L, F::Motion<L>>],
-    law: &Law<L::Number>,
-    velocity: &[Row<L::Number>],
-    force: &mut [Row<L::Number>],
+    law: &Law<L::Scalar>,
+    velocity: &[Row<L::Scalar>],
+    force: &mut [Row<L::Scalar>],
 ) {
     for (group, parts) in groups.iter().zip(&mut parts.chunks_exact_mut(LANES / L::WIDTH)) {
         for (i, part) in parts.iter_mut().enumerate() {
@@ -465,10 +465,10 @@ fn contacts<L: Lanes, F: Form<L::Number>>(
 /// The springs of a part of a group of which the fullest lane has `count` points. Written out, for a compiler keeps a loop over them.
 #[inline(always)]
 fn springs<L: Lanes, M: Motion<L>>(
-    group: &mut Group<L::Number>,
+    group: &mut Group<L::Scalar>,
     part: usize,
     count: u8,
-    law: &Law<L::Number>,
+    law: &Law<L::Scalar>,
     motion: &M,
 ) -> M::Wrench {
     let mut sum = M::no_force();
@@ -492,9 +492,9 @@ fn springs<L: Lanes, M: Motion<L>>(
 /// The springs of one point in each lane, from the motion of B relative to A along normal, tangent, tangent.
 #[inline(always)]
 fn spring<L: Lanes, M: Motion<L>>(
-    p: &mut PointLanes<L::Number>,
+    p: &mut PointLanes<L::Scalar>,
     part: usize,
-    law: &Law<L::Number>,
+    law: &Law<L::Scalar>,
     relaxation: L,
     motion: &M,
     sum: &mut M::Wrench,
@@ -508,7 +508,7 @@ fn spring<L: Lanes, M: Motion<L>>(
 
     // normal: a spring, a damper and a Maxwell element, that do not pull; an open point has no stiffness
     let gap = load::<L>(&p.gap, part) + vn;
-    let closed = gap.less(zero);
+    let closed = gap.less_than(zero);
     gap.store(&mut p.gap.0, part);
     // a wider register is hardly ever open in all lanes
     if L::WIDTH == 1 && !L::any(closed) {
@@ -518,23 +518,23 @@ fn spring<L: Lanes, M: Motion<L>>(
         zero.store(&mut p.pull.0, part);
         return;
     }
-    let creep = L::only(closed, load::<L>(&p.creep, part) * L::splat(law.keep) + vn);
-    let k = L::only(closed, load::<L>(&p.stiffness, part));
+    let creep = L::mask(closed, load::<L>(&p.creep, part) * L::splat(law.keep) + vn);
+    let k = L::mask(closed, load::<L>(&p.stiffness, part));
     // towards each other is negative here
     let pull = k * ((gap + creep) + relaxation * vn);
-    let pull = L::only(pull.less(zero), pull);
+    let pull = L::mask(pull.less_than(zero), pull);
     creep.store(&mut p.creep.0, part);
     pull.store(&mut p.pull.0, part);
 
     // tangential: a spring and a damper within Coulomb's cone
     let kt = L::splat(law.tangential) * k;
     let ct = L::splat(law.tangential_relaxation) * relaxation;
-    let mut s1 = L::only(closed, load::<L>(&p.stretch[0], part) + u1);
-    let mut s2 = L::only(closed, load::<L>(&p.stretch[1], part) + u2);
+    let mut s1 = L::mask(closed, load::<L>(&p.stretch[0], part) + u1);
+    let mut s2 = L::mask(closed, load::<L>(&p.stretch[1], part) + u2);
     let (mut g1, mut g2) = (kt * (s1 + ct * u1), kt * (s2 + ct * u2));
     let limit = L::splat(law.mu_kinetic) * pull;
     let square = g1 * g1 + g2 * g2;
-    if L::any((limit * limit).less(square)) {
+    if L::any((limit * limit).less_than(square)) {
         let q = slide(law, -pull, u1 * u1 + u2 * u2, square);
         (s1, s2, g1, g2) = (s1 * q, s2 * q, g1 * q, g2 * q);
     }
@@ -548,10 +548,10 @@ fn spring<L: Lanes, M: Motion<L>>(
 /// kinetic with the speed of sliding, mu = mu_k + (mu_s - mu_k) / (1 + (u / u_s)²), so that a sliding contact does not stick again at
 /// each substep.
 #[inline(always)]
-fn slide<L: Lanes>(law: &Law<L::Number>, n: L, speed: L, friction: L) -> L {
-    let one = L::number(1.0);
+fn slide<L: Lanes>(law: &Law<L::Scalar>, n: L, speed: L, friction: L) -> L {
+    let one = L::splat_f64(1.0);
     let mu = L::splat(law.mu_kinetic) + L::splat(law.mu_excess) / (one + speed * L::splat(law.stribeck));
     let limit = mu * n;
     let size = friction.sqrt();
-    L::select(limit.less(size), limit / size, one)
+    L::select(limit.less_than(size), limit / size, one)
 }

@@ -33,11 +33,6 @@ mod hand;
 mod input;
 mod island;
 mod kernel;
-#[cfg_attr(
-    all(target_arch = "wasm32", target_feature = "simd128"),
-    allow(dead_code, reason = "the portable lanes are then only a reference")
-)]
-mod lanes;
 mod lattice;
 mod manifold;
 mod moved;
@@ -51,6 +46,11 @@ mod rest;
 mod restitution;
 mod rigid;
 mod setup;
+#[cfg_attr(
+    all(target_arch = "wasm32", target_feature = "simd128"),
+    allow(dead_code, reason = "the portable lanes are then only a reference")
+)]
+mod simd;
 mod snapshot;
 mod step;
 mod step_io;

@@ -12,11 +12,11 @@ use crate::constants::{FLOOR_STEP_LIMIT, STEP_LIMIT};
 use crate::contacts::Contacts;
 use crate::form::{Form, Loading};
 use crate::kernel::{Group, Kernel, Lane, Row, SLOTS, put3};
-use crate::lanes::{LANES, Real};
 use crate::lattice::{Particles, Springs};
 use crate::manifold::Manifold;
 use crate::moved::Moved;
 use crate::setup::Setup;
+use crate::simd::lanes::{LANES, Real};
 use crate::ways::Ways;
 
 /// Neighbours in the order of manifolds share a body, and a sum that is added to twice in a row is waited for: entries follow each other

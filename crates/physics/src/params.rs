@@ -39,7 +39,7 @@ impl Width {
         return match self {
             Width::Auto | Width::Portable | Width::Sse2 => true,
             Width::Avx2 => std::is_x86_feature_detected!("avx2"),
-            Width::Avx512 => crate::lanes::avx512::available(),
+            Width::Avx512 => crate::simd::avx512::available(),
         };
         #[cfg(not(target_arch = "x86_64"))]
         return matches!(self, Width::Auto | Width::Portable);

@@ -7,7 +7,7 @@ use crate::form::{Form, Loading, Motion, Push, Taken, lanes};
 use crate::kernel::{
     Group, Lane, Row, add, cross, dot, load, load3, put3, row, row_mut, store3, vector, write_in_turn,
 };
-use crate::lanes::{Lanes, Real, Row as _};
+use crate::simd::lanes::{Lanes, Real, RowRegister as _};
 
 /// A body a lane.
 #[derive(Debug, Clone, Copy)]
@@ -87,7 +87,7 @@ fn add_at<R: Real>(force: &mut [Row<R>], [a, b]: [u32; 2], k: usize, x: R) {
 /// [`Form::react`] of a lane that has a register for itself: rows need no turning, and each number is added where it belongs as soon as it is
 /// reckoned.
 #[inline(always)]
-fn react_alone<L: Lanes>(group: &Group<L::Number>, lane: usize, sum: &mut Wrench<L>, force: &mut [Row<L::Number>]) {
+fn react_alone<L: Lanes>(group: &Group<L::Scalar>, lane: usize, sum: &mut Wrench<L>, force: &mut [Row<L::Scalar>]) {
     let bodies = [group.a[lane], group.b[lane]];
     let Wrench { mut f, m } = *sum;
     let along = f;
@@ -106,7 +106,7 @@ fn react_alone<L: Lanes>(group: &Group<L::Number>, lane: usize, sum: &mut Wrench
 
 impl<R: Real> Form<R> for Rigid<R> {
     const ROWS: usize = 1;
-    type Motion<L: Lanes<Number = R>> = Turning<L>;
+    type Motion<L: Lanes<Scalar = R>> = Turning<L>;
 
     fn empty() -> Self {
         let far = lanes(1e30);
@@ -148,7 +148,7 @@ impl<R: Real> Form<R> for Rigid<R> {
     }
 
     #[inline(always)]
-    fn relative<L: Lanes<Number = R>>(group: &Group<R>, part: usize, velocity: &[Row<R>], motion: &mut Turning<L>) {
+    fn relative<L: Lanes<Scalar = R>>(group: &Group<R>, part: usize, velocity: &[Row<R>], motion: &mut Turning<L>) {
         let first = L::WIDTH * part;
         // relative velocity at the reference point and relative spin, B over A; then at the centroid, along the frame
         let d = L::columns(|l| {
@@ -165,7 +165,7 @@ impl<R: Real> Form<R> for Rigid<R> {
     }
 
     #[inline(always)]
-    fn react<L: Lanes<Number = R>>(group: &Group<R>, part: usize, sum: &mut Wrench<L>, force: &mut [Row<R>]) {
+    fn react<L: Lanes<Scalar = R>>(group: &Group<R>, part: usize, sum: &mut Wrench<L>, force: &mut [Row<R>]) {
         if L::WIDTH == 1 {
             return react_alone(group, part, sum, force);
         }
@@ -191,7 +191,7 @@ impl<R: Real> Form<R> for Rigid<R> {
 
     /// Semi-implicit Euler: places with the velocity that the springs have just seen, then velocities with the forces.
     #[inline(always)]
-    fn integrate<L: Lanes<Number = R>>(
+    fn integrate<L: Lanes<Scalar = R>>(
         &mut self,
         part: usize,
         velocity: &mut [Row<R>],
@@ -235,19 +235,19 @@ impl<R: Real> Form<R> for Rigid<R> {
     }
 
     #[inline(always)]
-    fn beyond<L: Lanes<Number = R>>(&self, part: usize) -> bool {
+    fn beyond<L: Lanes<Scalar = R>>(&self, part: usize) -> bool {
         let (shift, turn) = (load3::<L>(&self.shift, part), load3::<L>(&self.turn, part));
         let (shift, turn) = (dot(&shift, &shift), dot(&turn, &turn));
         let (radius, travel_bound) = (load::<L>(&self.radius, part), load::<L>(&self.travel_bound, part));
         let turn_bound = load::<L>(&self.turn_bound, part);
-        let beyond = (turn_bound * turn_bound).less(turn);
+        let beyond = (turn_bound * turn_bound).less_than(turn);
         // Roots are for bodies that are near their bounds: (a + b)² is at most 2 (a² + b²). With room for rounding, so that it is the same
         // whoever else is in the register.
-        let most = L::number(2.01) * (shift + turn * (radius * radius));
-        if !L::any((travel_bound * travel_bound).less(most)) {
+        let most = L::splat_f64(2.01) * (shift + turn * (radius * radius));
+        if !L::any((travel_bound * travel_bound).less_than(most)) {
             return L::any(beyond);
         }
-        L::any(travel_bound.less(shift.sqrt() + turn.sqrt() * radius)) || L::any(beyond)
+        L::any(travel_bound.less_than(shift.sqrt() + turn.sqrt() * radius)) || L::any(beyond)
     }
 
     fn displacement(&self, l: usize) -> (DVec3, DVec3) {

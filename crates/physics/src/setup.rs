@@ -9,10 +9,10 @@ use crate::constants::{
     TANGENTIAL_DAMPING, TANGENTIAL_STIFFNESS,
 };
 use crate::kernel::Law;
-use crate::lanes::Real;
 use crate::lattice::{STRAIN_INERTIA, Springs};
 use crate::params::Params;
 use crate::restitution::damping_ratio;
+use crate::simd::lanes::Real;
 
 /// What is the same for all bodies and frames of a world.
 #[derive(Debug, Clone, Copy)]

@@ -4,9 +4,9 @@ use crate::acts::{Acts, push};
 use crate::cluster::Cluster;
 use crate::frame::{Frame, Outcome};
 use crate::input::Input;
-use crate::lanes::float_mode::FloatMode;
 use crate::moved::Moved;
 use crate::report::StepReport;
+use crate::simd::float_mode::FloatMode;
 use crate::world::World;
 
 impl World {

@@ -7,7 +7,7 @@
 
 use crate::form::{Form, Motion};
 use crate::kernel::{Group, Kernel, Lane, Row, SLOTS, load};
-use crate::lanes::{LANES, Lanes, Real};
+use crate::simd::lanes::{LANES, Lanes, Real};
 
 /// Ways of the points along the tangents.
 #[derive(Debug, Clone)]
@@ -44,11 +44,11 @@ impl<R: Real> Ways<R> {
 }
 
 /// What the points of a group have done along their tangents, from the ways of the bodies laid out as velocities.
-fn along<L: Lanes, F: Form<L::Number>>(
-    group: &Group<L::Number>,
-    rows: &[Row<L::Number>],
-) -> [[Lane<L::Number>; 2]; SLOTS] {
-    let mut ways = <[[Lane<L::Number>; 2]; SLOTS]>::default();
+fn along<L: Lanes, F: Form<L::Scalar>>(
+    group: &Group<L::Scalar>,
+    rows: &[Row<L::Scalar>],
+) -> [[Lane<L::Scalar>; 2]; SLOTS] {
+    let mut ways = <[[Lane<L::Scalar>; 2]; SLOTS]>::default();
     for part in 0..LANES / L::WIDTH {
         let mut motion = F::Motion::<L>::still();
         F::relative::<L>(group, part, rows, &mut motion);

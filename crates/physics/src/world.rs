@@ -10,7 +10,6 @@ use crate::cluster::{Cluster, Loop};
 use crate::constants::SWEEP_LEAST;
 use crate::hand::Aim;
 use crate::input::AppliedForce;
-use crate::lanes::float_mode::FloatMode;
 use crate::lattice::Particles;
 use crate::params::Params;
 use crate::pose::{POSE_STRIDE, Pose, Twist};
@@ -18,6 +17,7 @@ use crate::regroup::Clusters;
 use crate::report::{ContactReport, LatticeReport};
 use crate::rest;
 use crate::setup::{Masses, Setup};
+use crate::simd::float_mode::FloatMode;
 
 /// Error of [`World::new`] and [`World::set_form`].
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]

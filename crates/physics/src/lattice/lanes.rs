@@ -10,7 +10,7 @@ use crate::form::{Form, Loading, Motion, Push, Taken, lanes};
 use crate::kernel::{
     Group, Lane, Row, cross, into_frame, load, load3, out_of_frame, put3, row, row_mut, store3, vector,
 };
-use crate::lanes::{Lanes, ROW, Real, Row as _};
+use crate::simd::lanes::{Lanes, ROW_LEN, Real, RowRegister as _};
 
 /// A block a lane. Lengths and velocities are in the world, from the pose at the last sync.
 #[derive(Debug, Clone, Copy)]
@@ -99,7 +99,7 @@ impl<L: Lanes> Motion<L> for Straining<L> {
 impl<R: Real> Form<R> for Lattice<R> {
     /// Velocity and its change along x; its changes along y and z. Force and its moments likewise.
     const ROWS: usize = 2;
-    type Motion<L: Lanes<Number = R>> = Straining<L>;
+    type Motion<L: Lanes<Scalar = R>> = Straining<L>;
 
     fn empty() -> Self {
         let (zero, far) = (Lane::default(), lanes(1e30));
@@ -177,12 +177,12 @@ impl<R: Real> Form<R> for Lattice<R> {
     }
 
     #[inline(always)]
-    fn relative<L: Lanes<Number = R>>(group: &Group<R>, part: usize, velocity: &[Row<R>], motion: &mut Straining<L>) {
+    fn relative<L: Lanes<Scalar = R>>(group: &Group<R>, part: usize, velocity: &[Row<R>], motion: &mut Straining<L>) {
         let first = L::WIDTH * part;
         let d = L::columns(|l| {
             L::Row::read(row(velocity, group.b[first + l])) - L::Row::read(row(velocity, group.a[first + l]))
         });
-        let next = ROW as u32;
+        let next = ROW_LEN as u32;
         let e = L::columns(|l| {
             L::Row::read(row(velocity, group.b[first + l] + next))
                 - L::Row::read(row(velocity, group.a[first + l] + next))
@@ -196,7 +196,7 @@ impl<R: Real> Form<R> for Lattice<R> {
     }
 
     #[inline(always)]
-    fn react<L: Lanes<Number = R>>(group: &Group<R>, part: usize, sum: &mut Moments<L>, force: &mut [Row<R>]) {
+    fn react<L: Lanes<Scalar = R>>(group: &Group<R>, part: usize, sum: &mut Moments<L>, force: &mut [Row<R>]) {
         let first = L::WIDTH * part;
         let (arm, frame) = (&load3(&group.arm, part), &group.frame_of(part));
         let f = out_of_frame(frame, &sum.f);
@@ -208,12 +208,12 @@ impl<R: Real> Form<R> for Lattice<R> {
         let y = out_of_frame(&m, &[arm[1], frame[1][1], frame[2][1]]);
         let z = out_of_frame(&m, &[arm[2], frame[1][2], frame[2][2]]);
         let rows = L::rows([y[0], y[1], y[2], zero, z[0], z[1], z[2], zero]);
-        react_row::<L>(group, first, ROW as u32, rows, force);
+        react_row::<L>(group, first, ROW_LEN as u32, rows, force);
     }
 
     /// Semi-implicit Euler, as for rigid bodies: places, the springs at them, then velocities.
     #[inline(always)]
-    fn integrate<L: Lanes<Number = R>>(
+    fn integrate<L: Lanes<Scalar = R>>(
         &mut self,
         part: usize,
         velocity: &mut [Row<R>],
@@ -244,7 +244,7 @@ impl<R: Real> Form<R> for Lattice<R> {
     }
 
     #[inline(always)]
-    fn beyond<L: Lanes<Number = R>>(&self, part: usize) -> bool {
+    fn beyond<L: Lanes<Scalar = R>>(&self, part: usize) -> bool {
         let length = |x: [L; 3]| (x[0] * x[0] + x[1] * x[1] + x[2] * x[2]).sqrt();
         let mut u = [[L::zero(); 3]; PARTICLES];
         for i in 0..PARTICLES {
@@ -259,11 +259,11 @@ impl<R: Real> Form<R> for Lattice<R> {
             ends += way;
             turn += way * self::load(&self.inv_lever[k], part);
         }
-        let travel = length(sum) * L::number(1.0 / PARTICLES as f64) + ends * self::load(&self.spread, part);
+        let travel = length(sum) * L::splat_f64(1.0 / PARTICLES as f64) + ends * self::load(&self.spread, part);
         // a turn about one axis moves the ends of two
-        let turn = turn * L::number(0.5);
-        L::any(self::load::<L>(&self.travel_bound, part).less(travel))
-            || L::any(self::load::<L>(&self.turn_bound, part).less(turn))
+        let turn = turn * L::splat_f64(0.5);
+        L::any(self::load::<L>(&self.travel_bound, part).less_than(travel))
+            || L::any(self::load::<L>(&self.turn_bound, part).less_than(turn))
     }
 
     fn displacement(&self, l: usize) -> (DVec3, DVec3) {
@@ -312,12 +312,12 @@ impl<R: Real> Form<R> for Lattice<R> {
 impl<R: Real> Lattice<R> {
     /// What the forces from outside do to the velocity of each particle in a substep.
     #[inline(always)]
-    fn outside<L: Lanes<Number = R>>(&self, part: usize, force: &[Row<R>]) -> [[L; 3]; PARTICLES] {
+    fn outside<L: Lanes<Scalar = R>>(&self, part: usize, force: &[Row<R>]) -> [[L; 3]; PARTICLES] {
         let f = L::columns(|l| L::Row::read(&force[2 * l].0));
         let g = L::columns(|l| L::Row::read(&force[2 * l + 1].0));
         let offset = load3::<L>(&self.offset, part);
         let ease = load::<L>(&self.ease, part);
-        let share = ease * L::number(1.0 / PARTICLES as f64);
+        let share = ease * L::splat_f64(1.0 / PARTICLES as f64);
         let mut pulls = [[L::zero(); 3]; PARTICLES];
         let mut along = [[L::zero(); 3]; 3];
         let dual = [load3::<L>(&self.dual[0], part), load3::<L>(&self.dual[1], part), load3::<L>(&self.dual[2], part)];
@@ -346,7 +346,7 @@ impl<R: Real> Lattice<R> {
 
     /// Leaves of what accelerates the axes, apart from what turns them together, one over [`STRAIN_INERTIA`].
     #[inline(always)]
-    fn stiffen<L: Lanes<Number = R>>(&self, part: usize, along: &mut [[L; 3]; 3]) {
+    fn stiffen<L: Lanes<Scalar = R>>(&self, part: usize, along: &mut [[L; 3]; 3]) {
         let edge = [load3::<L>(&self.edge[0], part), load3::<L>(&self.edge[1], part), load3::<L>(&self.edge[2], part)];
         // The particles turn with β where Σ e × x = Σ e × (β × e): they are the ends of the axes, and β is h² times half the angular acceleration.
         let (x, y, z) = (cross(&edge[0], &along[0]), cross(&edge[1], &along[1]), cross(&edge[2], &along[2]));
@@ -354,7 +354,7 @@ impl<R: Real> Lattice<R> {
         let ease = load3::<L>(&self.turning_ease, part);
         let [x, y, z] = into_frame(&edge, &torque);
         let turning = out_of_frame(&edge, &[x * ease[0], y * ease[1], z * ease[2]]);
-        let (keep, whole) = (L::number(1.0 / STRAIN_INERTIA), L::number(1.0 - 1.0 / STRAIN_INERTIA));
+        let (keep, whole) = (L::splat_f64(1.0 / STRAIN_INERTIA), L::splat_f64(1.0 - 1.0 / STRAIN_INERTIA));
         for k in 0..3 {
             let turned = cross(&turning, &edge[k]);
             for (x, turned) in along[k].iter_mut().zip(turned) {
@@ -365,7 +365,7 @@ impl<R: Real> Lattice<R> {
 
     /// What the springs do to the velocity of each particle in a substep.
     #[inline(always)]
-    fn springs<L: Lanes<Number = R>>(&mut self, part: usize, u: &[[L; 3]; PARTICLES], pulls: &mut [[L; 3]; PARTICLES]) {
+    fn springs<L: Lanes<Scalar = R>>(&mut self, part: usize, u: &[[L; 3]; PARTICLES], pulls: &mut [[L; 3]; PARTICLES]) {
         let [x, y, z] =
             [load3::<L>(&self.edge[0], part), load3::<L>(&self.edge[1], part), load3::<L>(&self.edge[2], part)];
         // from the lower to the higher particle: the highest axis that a spring goes along, it goes upwards
@@ -408,11 +408,11 @@ impl<R: Real> Lattice<R> {
 
     /// Writes the rows of velocity.
     #[inline(always)]
-    fn write_motion<L: Lanes<Number = R>>(&self, part: usize, v: &[[L; 3]; PARTICLES], velocity: &mut [Row<R>]) {
+    fn write_motion<L: Lanes<Scalar = R>>(&self, part: usize, v: &[[L; 3]; PARTICLES], velocity: &mut [Row<R>]) {
         let (sum, along) = sums(v);
         let dual = [load3::<L>(&self.dual[0], part), load3::<L>(&self.dual[1], part), load3::<L>(&self.dual[2], part)];
         let offset = load3::<L>(&self.offset, part);
-        let eighth = L::number(1.0 / PARTICLES as f64);
+        let eighth = L::splat_f64(1.0 / PARTICLES as f64);
         let zero = L::zero();
         // changes along the axes of the world
         let x = out_of_frame(&along, &[dual[0][0], dual[1][0], dual[2][0]]);
@@ -478,7 +478,7 @@ fn write_rows<R: Real>(to: &mut [Row<R>], x: DVec3, m: &DMat3) {
 
 /// Adds rows to those of B and takes them from those of A, `next` numbers behind the first of each.
 #[inline(always)]
-fn react_row<L: Lanes>(group: &Group<L::Number>, first: usize, next: u32, rows: L::Rows, force: &mut [Row<L::Number>]) {
+fn react_row<L: Lanes>(group: &Group<L::Scalar>, first: usize, next: u32, rows: L::Rows, force: &mut [Row<L::Scalar>]) {
     for (l, on_b) in rows.into_iter().enumerate() {
         let a = row_mut(force, group.a[first + l] + next);
         (L::Row::read(a) - on_b).write(a);

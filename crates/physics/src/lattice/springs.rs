@@ -2,7 +2,7 @@
 
 use teeter_scene::{Scene, Springs as SceneSprings};
 
-use crate::lanes::Lanes;
+use crate::simd::lanes::Lanes;
 
 /// Springs of a block: as many as there are pairs of its particles.
 pub const SPRINGS: usize = 28;
@@ -55,7 +55,7 @@ impl Springs {
 /// β = c / (k h), that is Eq. 4.1 to 4.3 of the dissertation to first order of the strain.
 #[inline(always)]
 pub fn spring<L: Lanes>(a: &[L; 3], b: &[L; 3], rest: &[L; 3], stiffness: L, damping: L, before: L) -> ([L; 3], L) {
-    let half = L::number(0.5);
+    let half = L::splat_f64(0.5);
     let d = [b[0] - a[0], b[1] - a[1], b[2] - a[2]];
     let strain = (rest[0] + half * d[0]) * d[0] + (rest[1] + half * d[1]) * d[1] + (rest[2] + half * d[2]) * d[2];
     let pull = stiffness * strain - damping * before;

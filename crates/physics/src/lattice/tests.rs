@@ -4,8 +4,8 @@ use glam::{DMat3, DQuat, DVec3};
 
 use super::springs::{SPRINGS, ends, spring};
 use super::*;
-use crate::lanes::Lanes;
-use crate::lanes::portable::Plain;
+use crate::simd::lanes::Lanes;
+use crate::simd::portable::Plain;
 
 type L = Plain<f64>;
 

@@ -1,55 +1,56 @@
-//! Lanes in AVX2 registers.
+//! AVX2 registers (256 bits).
 //!
-//! These types may only be used where AVX2 is known to be there; [`crate::kernel`] is the one place that does.
+//! Used only where the processor is known to have AVX2, which [`crate::kernel::inner_loop`] checks.
 
 use std::arch::x86_64::*;
 
-use super::Turn;
-use super::register::{Parts, collect, register, turn_fours};
+use super::lanes::Transpose;
+use super::register::{SplitRow, collect, register, transpose_fours};
 
 register! {
-    /// Eight f32.
+    /// Register of eight f32.
     F32: 8 x f32 => __m256, mask __m256;
     _mm256_set1_ps; _mm256_loadu_ps; _mm256_storeu_ps; _mm256_sqrt_ps;
     _mm256_add_ps; _mm256_sub_ps; _mm256_mul_ps; _mm256_div_ps; |x| _mm256_xor_ps(x, _mm256_set1_ps(-0.0));
     _mm256_cmp_ps::<_CMP_LT_OQ>; |m, yes, no| _mm256_blendv_ps(no, yes, m); _mm256_and_ps; |m| _mm256_movemask_ps(m) != 0
 }
 register! {
-    /// Four f64.
+    /// Register of four f64.
     F64: 4 x f64 => __m256d, mask __m256d;
     _mm256_set1_pd; _mm256_loadu_pd; _mm256_storeu_pd; _mm256_sqrt_pd;
     _mm256_add_pd; _mm256_sub_pd; _mm256_mul_pd; _mm256_div_pd; |x| _mm256_xor_pd(x, _mm256_set1_pd(-0.0));
     _mm256_cmp_pd::<_CMP_LT_OQ>; |m, yes, no| _mm256_blendv_pd(no, yes, m); _mm256_and_pd; |m| _mm256_movemask_pd(m) != 0
 }
 
-impl Turn for F32 {
-    type Number = f32;
-    type Row = Parts<Self, 1>;
+impl Transpose for F32 {
+    type Scalar = f32;
+    type Row = SplitRow<Self, 1>;
     type Rows = [Self::Row; 8];
     #[inline(always)]
     fn columns(row: impl FnMut(usize) -> Self::Row) -> [Self; 8] {
         let [a, b, c, d, e, f, g, h]: [Self::Row; 8] = collect(row);
         let [a, b, c, d, e, f, g, h] =
-            eight([a.0[0].0, b.0[0].0, c.0[0].0, d.0[0].0, e.0[0].0, f.0[0].0, g.0[0].0, h.0[0].0]);
+            transpose8([a.0[0].0, b.0[0].0, c.0[0].0, d.0[0].0, e.0[0].0, f.0[0].0, g.0[0].0, h.0[0].0]);
         [Self(a), Self(b), Self(c), Self(d), Self(e), Self(f), Self(g), Self(h)]
     }
     #[inline(always)]
     fn rows([a, b, c, d, e, f, g, h]: [Self; 8]) -> Self::Rows {
-        let [a, b, c, d, e, f, g, h] = eight([a.0, b.0, c.0, d.0, e.0, f.0, g.0, h.0]);
+        let [a, b, c, d, e, f, g, h] = transpose8([a.0, b.0, c.0, d.0, e.0, f.0, g.0, h.0]);
         [row(a), row(b), row(c), row(d), row(e), row(f), row(g), row(h)]
     }
 }
-turn_fours!(F64, f64, four);
+transpose_fours!(F64, f64, transpose4);
 
+/// Row in one register.
 #[inline(always)]
-pub fn row(x: __m256) -> Parts<F32, 1> {
-    Parts([F32(x)])
+pub fn row(x: __m256) -> SplitRow<F32, 1> {
+    SplitRow([F32(x)])
 }
 
-/// Transposes: pairs of rows, then fours, then the halves.
+/// Transposes eight registers: pairs of rows, then fours, then the halves.
 #[inline(always)]
-fn eight([a, b, c, d, e, f, g, h]: [__m256; 8]) -> [__m256; 8] {
-    // SAFETY: see the head of this file
+fn transpose8([a, b, c, d, e, f, g, h]: [__m256; 8]) -> [__m256; 8] {
+    // SAFETY: see the module documentation.
     unsafe {
         let (ab0, ab1) = (_mm256_unpacklo_ps(a, b), _mm256_unpackhi_ps(a, b));
         let (cd0, cd1) = (_mm256_unpacklo_ps(c, d), _mm256_unpackhi_ps(c, d));
@@ -73,8 +74,8 @@ fn eight([a, b, c, d, e, f, g, h]: [__m256; 8]) -> [__m256; 8] {
 }
 
 #[inline(always)]
-fn four([a, b, c, d]: [__m256d; 4]) -> [__m256d; 4] {
-    // SAFETY: see the head of this file
+fn transpose4([a, b, c, d]: [__m256d; 4]) -> [__m256d; 4] {
+    // SAFETY: see the module documentation.
     unsafe {
         let (ab0, ab1) = (_mm256_unpacklo_pd(a, b), _mm256_unpackhi_pd(a, b));
         let (cd0, cd1) = (_mm256_unpacklo_pd(c, d), _mm256_unpackhi_pd(c, d));

@@ -1,8 +1,8 @@
-//! Plain numbers, one at a time: what runs where there is nothing better, and the reference for the others.
+//! Scalars as registers of one lane: the fallback, and the reference of the other widths.
 
-use super::{Lanes, ROW, Real, Row, Turn};
+use super::lanes::{Lanes, ROW_LEN, Real, RowRegister, Transpose};
 
-/// One number.
+/// Register of one scalar.
 #[derive(Debug, Clone, Copy)]
 pub struct Plain<R>(R);
 
@@ -64,7 +64,7 @@ impl<R: Real> Lanes for Plain<R> {
         Self(self.0.sqrt())
     }
     #[inline(always)]
-    fn less(self, other: Self) -> bool {
+    fn less_than(self, other: Self) -> bool {
         self.0 < other.0
     }
     #[inline(always)]
@@ -72,7 +72,7 @@ impl<R: Real> Lanes for Plain<R> {
         if mask { yes } else { no }
     }
     #[inline(always)]
-    fn only(mask: bool, x: Self) -> Self {
+    fn mask(mask: bool, x: Self) -> Self {
         if mask { x } else { Self::zero() }
     }
     #[inline(always)]
@@ -81,14 +81,14 @@ impl<R: Real> Lanes for Plain<R> {
     }
 }
 
-/// The six numbers of a row that are not always zero.
+/// Row without the two scalars that are always zero.
 #[derive(Debug, Clone, Copy)]
-pub struct Six<R>([R; 6]);
+pub struct CompactRow<R>([R; 6]);
 
-/// Where they are in the row.
-const PLACES: [usize; 6] = [0, 1, 2, 4, 5, 6];
+/// Offsets in the row of the scalars that are not always zero.
+const OFFSETS: [usize; 6] = [0, 1, 2, 4, 5, 6];
 
-impl<R: Real> std::ops::Add for Six<R> {
+impl<R: Real> std::ops::Add for CompactRow<R> {
     type Output = Self;
     #[inline(always)]
     fn add(self, o: Self) -> Self {
@@ -96,7 +96,7 @@ impl<R: Real> std::ops::Add for Six<R> {
     }
 }
 
-impl<R: Real> std::ops::Sub for Six<R> {
+impl<R: Real> std::ops::Sub for CompactRow<R> {
     type Output = Self;
     #[inline(always)]
     fn sub(self, o: Self) -> Self {
@@ -104,30 +104,30 @@ impl<R: Real> std::ops::Sub for Six<R> {
     }
 }
 
-impl<R: Real> Row<R> for Six<R> {
+impl<R: Real> RowRegister<R> for CompactRow<R> {
     #[inline(always)]
-    fn read(from: &[R; ROW]) -> Self {
-        Self(std::array::from_fn(|i| from[PLACES[i]]))
+    fn read(from: &[R; ROW_LEN]) -> Self {
+        Self(std::array::from_fn(|i| from[OFFSETS[i]]))
     }
     #[inline(always)]
-    fn write(self, to: &mut [R; ROW]) {
-        for (x, place) in self.0.into_iter().zip(PLACES) {
-            to[place] = x;
+    fn write(self, to: &mut [R; ROW_LEN]) {
+        for (x, offset) in self.0.into_iter().zip(OFFSETS) {
+            to[offset] = x;
         }
     }
 }
 
-impl<R: Real> Turn for Plain<R> {
-    type Number = R;
-    type Row = Six<R>;
+impl<R: Real> Transpose for Plain<R> {
+    type Scalar = R;
+    type Row = CompactRow<R>;
     type Rows = [Self::Row; 1];
     #[inline(always)]
-    fn columns(mut row: impl FnMut(usize) -> Self::Row) -> [Self; ROW] {
-        let Six([a, b, c, e, f, g]) = row(0);
+    fn columns(mut row: impl FnMut(usize) -> Self::Row) -> [Self; ROW_LEN] {
+        let CompactRow([a, b, c, e, f, g]) = row(0);
         [Self(a), Self(b), Self(c), Self::zero(), Self(e), Self(f), Self(g), Self::zero()]
     }
     #[inline(always)]
-    fn rows([a, b, c, _, e, f, g, _]: [Self; ROW]) -> Self::Rows {
-        [Six([a.0, b.0, c.0, e.0, f.0, g.0])]
+    fn rows([a, b, c, _, e, f, g, _]: [Self; ROW_LEN]) -> Self::Rows {
+        [CompactRow([a.0, b.0, c.0, e.0, f.0, g.0])]
     }
 }

@@ -1,25 +1,27 @@
-//! How the processor rounds, whatever the host has set.
+//! Guard that sets the floating-point mode of the thread, whatever the host has set.
 
-/// While this lives, results are rounded to nearest and subnormal numbers are kept, as the language and every other target have it.
-/// A host may have set its thread otherwise: audio programs flush subnormals to zero, some libraries set it on loading.
+/// Guard under which results are rounded to nearest and subnormal numbers are kept.
+///
+/// A host may have set its thread otherwise: audio programs flush subnormals to zero, some libraries do so
+/// when they are loaded.
 #[derive(Debug)]
 pub struct FloatMode {
     #[cfg(target_arch = "x86_64")]
-    found: u32,
+    saved: u32,
 }
 
 impl FloatMode {
-    /// The standard mode from here on; dropping this gives the host its own back.
+    /// Sets the standard mode; dropping the guard restores that of the host.
     #[cfg(target_arch = "x86_64")]
     pub fn standard() -> Self {
-        let found = x86_64::control();
-        if found & x86_64::MODE != x86_64::STANDARD {
-            x86_64::set_control(found & !x86_64::MODE | x86_64::STANDARD);
+        let saved = x86_64::control();
+        if saved & x86_64::MODE != x86_64::STANDARD {
+            x86_64::set_control(saved & !x86_64::MODE | x86_64::STANDARD);
         }
-        Self { found }
+        Self { saved }
     }
 
-    /// The standard mode from here on: other processors come with it set, and WebAssembly has no other.
+    /// Does nothing: other processors start in the standard mode, and WebAssembly has no other.
     #[cfg(not(target_arch = "x86_64"))]
     pub fn standard() -> Self {
         Self {}
@@ -29,8 +31,8 @@ impl FloatMode {
 #[cfg(target_arch = "x86_64")]
 impl Drop for FloatMode {
     fn drop(&mut self) {
-        if self.found & x86_64::MODE != x86_64::STANDARD {
-            x86_64::set_control(self.found);
+        if self.saved & x86_64::MODE != x86_64::STANDARD {
+            x86_64::set_control(self.saved);
         }
     }
 }
@@ -39,22 +41,23 @@ impl Drop for FloatMode {
 mod x86_64 {
     use std::arch::asm;
 
-    /// Subnormal operands as zero, all exceptions masked, rounding, subnormal results to zero: all that is not a record of the past.
+    /// Control bits: subnormal operands as zero, exception masks, rounding, subnormal results to zero. The
+    /// remaining bits are status flags.
     pub const MODE: u32 = 1 << 6 | 0x3f << 7 | 3 << 13 | 1 << 15;
-    /// Exceptions masked, the rest zero.
+    /// Exceptions masked, all other control bits zero.
     pub const STANDARD: u32 = 0x3f << 7;
 
-    /// The control and status register of SSE.
+    /// Reads the control and status register of SSE.
     pub fn control() -> u32 {
         let mut value = 0_u32;
-        // SAFETY: writes four bytes to where it is told.
+        // SAFETY: writes four bytes to `value`.
         unsafe { asm!("stmxcsr [{}]", in(reg) &raw mut value, options(nostack, preserves_flags)) };
         value
     }
 
-    /// Sets it. Bits above the sixteenth must be zero.
+    /// Writes the control and status register of SSE. Bits above the sixteenth must be zero.
     pub fn set_control(value: u32) {
-        // SAFETY: reads four bytes; the only values given are the standard one and one that the processor held before.
+        // SAFETY: reads four bytes; callers pass the standard mode or one read from the processor.
         unsafe { asm!("ldmxcsr [{}]", in(reg) &raw const value, options(nostack, preserves_flags)) };
     }
 }
