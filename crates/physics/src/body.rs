@@ -1,17 +1,16 @@
-//! Rigid bodies: what they are ([`Shapes`], constant) and where they are ([`Bodies`], changing). One array a field, in order of
-//! creation.
+//! Bodies: constant properties ([`Shapes`]) and state ([`Bodies`]), one array for each field, in
+//! order of creation.
 
 use glam::{DMat3, DQuat, DVec3};
 use serde::{Deserialize, Serialize};
 use teeter_scene::{Form, Particles, Scene};
 
-/// A block of springs counts as no thinner than this part of what it was, along any axis.
-const LEAST_STRETCH: DVec3 = DVec3::splat(0.05);
+use crate::constants::MIN_STRETCH;
 
-/// No body: the floor.
+/// Index that stands for the floor.
 pub const FLOOR: u32 = u32::MAX;
 
-/// What does not change about the bodies.
+/// Constant properties of the bodies.
 #[derive(Debug, Clone, Default)]
 pub struct Shapes {
     /// Half edge lengths, m.
@@ -22,11 +21,12 @@ pub struct Shapes {
     pub inertia: Vec<DVec3>,
     /// Distance from the centre to a corner, m.
     pub radius: Vec<f64>,
-    /// Distances of its particles from the centre along its axes, m; empty where bodies are rigid.
+    /// Distances of the particles from the centre along the body's axes, m; empty for rigid bodies.
     pub particles: Vec<DVec3>,
 }
 
 impl Shapes {
+    /// Properties of the blocks of a scene.
     pub fn new(scene: &Scene) -> Self {
         let mut shapes = Self::default();
         for block in &scene.blocks {
@@ -39,7 +39,7 @@ impl Shapes {
         shapes
     }
 
-    /// Takes body `i` of others.
+    /// Appends body `i` of `from`.
     pub fn push(&mut self, from: &Self, i: usize) {
         self.half.push(from.half[i]);
         self.mass.push(from.mass[i]);
@@ -48,7 +48,7 @@ impl Shapes {
         self.particles.extend(from.particles.get(i));
     }
 
-    /// Gives the bodies particles, or takes them.
+    /// Sets the form of the bodies, and with it particles and inertia.
     pub fn set_form(&mut self, form: Form, particles: Particles) {
         self.particles = match form {
             Form::Rigid => Vec::new(),
@@ -59,47 +59,49 @@ impl Shapes {
             DVec3::new(square.y + square.z, square.z + square.x, square.x + square.y)
         };
         self.inertia = match form {
-            // uniform cuboid: m (ly² + lz²) / 12
+            // Uniform cuboid: m (ly² + lz²) / 12.
             Form::Rigid => self.mass.iter().zip(&self.half).map(|(mass, &half)| mass / 3.0 * moments(half)).collect(),
             Form::Lattice => self.mass.iter().zip(&self.particles).map(|(mass, &half)| *mass * moments(half)).collect(),
         };
     }
 }
 
-/// Where the bodies are and how they move.
+/// State of the bodies.
 #[derive(Debug, Clone, Default, Serialize, Deserialize)]
 pub struct Bodies {
-    /// Centres, m.
+    /// Positions of the centres, m.
     pub position: Vec<DVec3>,
     /// Orientations, unit quaternions.
     pub orientation: Vec<DQuat>,
-    /// Velocities of the centres, m/s. In single precision they hold what the loop holds, exactly.
+    /// Velocities of the centres, m/s. In single precision they are exactly those of the inner
+    /// loop.
     pub velocity: Vec<DVec3>,
     /// Angular velocities in the world, rad/s.
     pub spin: Vec<DVec3>,
-    /// Mean acceleration since the last sync, m/s²: an estimate for the next bound.
+    /// Mean acceleration between the last two syncs, m/s²: predicts the next travel budget.
     pub acceleration: Vec<f64>,
     /// Detection margin, m.
     pub margin: Vec<f64>,
     /// Pose at the last detection.
-    pub detected: Vec<(DVec3, DQuat)>,
+    pub detection_pose: Vec<(DVec3, DQuat)>,
     /// Pose at the start of the present rest.
-    pub rested: Vec<(DVec3, DQuat)>,
-    /// How long the body has been at rest, s.
-    pub rest: Vec<f64>,
-    /// Velocity and spin at the last look for rest.
-    pub rest_velocity: Vec<(DVec3, DVec3)>,
-    /// Whether the body sleeps.
+    pub rest_pose: Vec<(DVec3, DQuat)>,
+    /// Time at rest, s.
+    pub rest_time: Vec<f64>,
+    /// Velocity (m/s) and spin (rad/s) at the last test for rest.
+    pub rest_twist: Vec<(DVec3, DVec3)>,
+    /// True while the body sleeps.
     pub asleep: Vec<bool>,
-    /// Whether the body was taken out because its state was not finite or ran away.
+    /// True if the body was frozen because its state was not finite or ran away.
     pub quarantined: Vec<bool>,
-    /// How each is strained: what turned by its orientation makes its places in the world of those in its frame. Follows from its particles;
-    /// empty where bodies are rigid.
+    /// Stretch S of each body, empty for rigid bodies: R S maps the body's frame to the world. It
+    /// follows from the particles.
     #[serde(skip)]
     pub stretch: Vec<DMat3>,
 }
 
 impl Bodies {
+    /// Blocks of a scene, at rest.
     pub fn new(scene: &Scene) -> Self {
         let n = scene.blocks.len();
         let position: Vec<DVec3> = scene.blocks.iter().map(|b| b.pos.into()).collect();
@@ -114,10 +116,10 @@ impl Bodies {
             spin: vec![DVec3::ZERO; n],
             acceleration: vec![0.0; n],
             margin: vec![0.0; n],
-            detected: poses.clone(),
-            rested: poses,
-            rest: vec![0.0; n],
-            rest_velocity: vec![(DVec3::ZERO, DVec3::ZERO); n],
+            detection_pose: poses.clone(),
+            rest_pose: poses,
+            rest_time: vec![0.0; n],
+            rest_twist: vec![(DVec3::ZERO, DVec3::ZERO); n],
             asleep: vec![false; n],
             quarantined: vec![false; n],
             stretch: Vec::new(),
@@ -126,11 +128,12 @@ impl Bodies {
         }
     }
 
+    /// Number of bodies.
     pub fn len(&self) -> usize {
         self.position.len()
     }
 
-    /// Takes body `i` of others.
+    /// Appends body `i` of `from`.
     pub fn push(&mut self, from: &Self, i: usize) {
         self.position.push(from.position[i]);
         self.orientation.push(from.orientation[i]);
@@ -138,54 +141,54 @@ impl Bodies {
         self.spin.push(from.spin[i]);
         self.acceleration.push(from.acceleration[i]);
         self.margin.push(from.margin[i]);
-        self.detected.push(from.detected[i]);
-        self.rested.push(from.rested[i]);
-        self.rest.push(from.rest[i]);
-        self.rest_velocity.push(from.rest_velocity[i]);
+        self.detection_pose.push(from.detection_pose[i]);
+        self.rest_pose.push(from.rest_pose[i]);
+        self.rest_time.push(from.rest_time[i]);
+        self.rest_twist.push(from.rest_twist[i]);
         self.asleep.push(from.asleep[i]);
         self.quarantined.push(from.quarantined[i]);
         self.stretch.extend(from.stretch.get(i));
     }
 
-    /// Whether there are `n` of them, in every field.
-    pub fn is_of(&self, n: usize) -> bool {
+    /// Returns true if every stored field has `n` entries.
+    pub fn has_len(&self, n: usize) -> bool {
         let vectors = [&self.position, &self.velocity, &self.spin];
-        let numbers = [&self.acceleration, &self.margin, &self.rest];
-        let answers = [&self.asleep, &self.quarantined];
+        let scalars = [&self.acceleration, &self.margin, &self.rest_time];
+        let flags = [&self.asleep, &self.quarantined];
         vectors.iter().all(|x| x.len() == n)
-            && numbers.iter().all(|x| x.len() == n)
-            && answers.iter().all(|x| x.len() == n)
-            && [&self.detected, &self.rested].iter().all(|x| x.len() == n)
+            && scalars.iter().all(|x| x.len() == n)
+            && flags.iter().all(|x| x.len() == n)
+            && [&self.detection_pose, &self.rest_pose].iter().all(|x| x.len() == n)
             && self.orientation.len() == n
-            && self.rest_velocity.len() == n
+            && self.rest_twist.len() == n
     }
 
-    /// Whether forces move the body.
-    pub fn moves(&self, i: usize) -> bool {
+    /// Returns true if forces move the body.
+    pub fn is_active(&self, i: usize) -> bool {
         !self.asleep[i] && !self.quarantined[i]
     }
 
-    /// Fastest that a point of a body can be, m/s.
-    pub fn point_speed(&self, shapes: &Shapes, i: usize) -> f64 {
+    /// Upper bound of the speed of a body's points, m/s.
+    pub fn max_point_speed(&self, shapes: &Shapes, i: usize) -> f64 {
         self.velocity[i].length() + self.spin[i].length() * shapes.radius[i]
     }
 
-    /// Farthest that a point of a body can be from where it was in another pose, m.
-    pub fn travel(&self, shapes: &Shapes, i: usize, from: (DVec3, DQuat)) -> f64 {
-        (self.position[i] - from.0).length() + turn(from.1, self.orientation[i]).length() * shapes.radius[i]
+    /// Upper bound of the displacement of a body's points from another pose, m.
+    pub fn travel_since(&self, shapes: &Shapes, i: usize, pose: (DVec3, DQuat)) -> f64 {
+        (self.position[i] - pose.0).length() + rotation_between(pose.1, self.orientation[i]).length() * shapes.radius[i]
     }
 
-    /// Moment of inertia in the world, kg m².
+    /// Inertia tensor in the world, kg m².
     pub fn inertia(&self, shapes: &Shapes, i: usize) -> DMat3 {
         world_tensor(self.orientation[i], shapes.inertia[i])
     }
 
-    /// Its inverse.
+    /// Inverse inertia tensor in the world, 1/(kg m²).
     pub fn inv_inertia(&self, shapes: &Shapes, i: usize) -> DMat3 {
         world_tensor(self.orientation[i], shapes.inertia[i].recip())
     }
 
-    /// The pose of a body; the floor is the world.
+    /// Centre (m) and axes of a body; those of the world for the floor.
     pub fn pose(&self, i: u32) -> (DVec3, DMat3) {
         if i == FLOOR {
             (DVec3::ZERO, DMat3::IDENTITY)
@@ -194,49 +197,61 @@ impl Bodies {
         }
     }
 
-    /// How a body is strained, where it can be; the floor cannot.
+    /// Stretch of a body; none for rigid bodies and the floor.
     pub fn stretch_of(&self, i: u32) -> Option<&DMat3> {
         self.stretch.get(i as usize)
     }
 
-    /// Centre of a body, and what makes places from there of those in its frame: its axes, strained as it is.
+    /// Affine map from a body's frame to the world: centre (m) and strained axes.
     pub fn affine(&self, i: u32) -> (DVec3, DMat3) {
         let (center, axes) = self.pose(i);
         (center, self.strained(i, axes))
     }
 
-    /// The axes of a body, strained as it is.
+    /// Axes of a body with its strain applied.
     pub fn strained(&self, i: u32, axes: DMat3) -> DMat3 {
         self.stretch_of(i).map_or(axes, |stretch| axes * *stretch)
     }
 
-    /// Half edge lengths of a body as it is strained, m.
+    /// Half edge lengths of a body with its strain applied, m.
     pub fn half(&self, shapes: &Shapes, i: usize) -> DVec3 {
         self.stretch.get(i).map_or(shapes.half[i], |s| {
-            shapes.half[i] * DVec3::new(s.x_axis.x, s.y_axis.y, s.z_axis.z).max(LEAST_STRETCH)
+            shapes.half[i] * DVec3::new(s.x_axis.x, s.y_axis.y, s.z_axis.z).max(MIN_STRETCH)
         })
     }
 }
 
-/// R diag(d) Rᵀ.
-pub fn world_tensor(q: DQuat, d: DVec3) -> DMat3 {
-    tensor(DMat3::from_quat(q), d)
+/// Force and torque on a body.
+#[derive(Debug, Clone, Copy, Default)]
+pub struct BodyForce {
+    /// Force, N.
+    pub force: DVec3,
+    /// Lever arm of the force, from the centre of the body, m.
+    pub arm: DVec3,
+    /// Torque in addition to that of the force, N m.
+    pub torque: DVec3,
 }
 
-/// The same of the matrix R.
-pub fn tensor(r: DMat3, d: DVec3) -> DMat3 {
+/// Rotated diagonal tensor, R diag(d) Rᵀ, with the rotation as a quaternion.
+pub fn world_tensor(q: DQuat, d: DVec3) -> DMat3 {
+    rotate_tensor(DMat3::from_quat(q), d)
+}
+
+/// Rotated diagonal tensor, R diag(d) Rᵀ.
+pub fn rotate_tensor(r: DMat3, d: DVec3) -> DMat3 {
     DMat3::from_cols(r.x_axis * d.x, r.y_axis * d.y, r.z_axis * d.z) * r.transpose()
 }
 
-/// Rotation vector from `from` to `to`, rad, to third order: for small turns.
-pub fn turn(from: DQuat, to: DQuat) -> DVec3 {
+/// Rotation vector between two orientations, rad, accurate to third order: for small rotations.
+pub fn rotation_between(from: DQuat, to: DQuat) -> DVec3 {
     let q = to * from.conjugate();
     let v = DVec3::new(q.x, q.y, q.z);
     if q.w < 0.0 { v * -2.0 } else { v * 2.0 }
 }
 
-/// `q` turned by the rotation vector `angle`, rad. Uses tan(x/2) = x/2 + x³/24: exact to fifth order, and of unit length.
-pub fn turned(q: DQuat, angle: DVec3) -> DQuat {
-    let half = angle * (0.5 * (1.0 + angle.length_squared() / 12.0));
+/// Rotates `q` by a rotation vector, rad. Uses tan(x/2) = x/2 + x³/24, which is exact to fifth
+/// order, and returns a unit quaternion.
+pub fn rotated(q: DQuat, rotation: DVec3) -> DQuat {
+    let half = rotation * (0.5 * (1.0 + rotation.length_squared() / 12.0));
     (DQuat::from_xyzw(half.x, half.y, half.z, 1.0) * q).normalize()
 }

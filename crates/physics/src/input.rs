@@ -61,12 +61,13 @@ impl Input {
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Grip {
     /// Fingers on a block in the tower: they steer it sideways and keep its orientation. Where they
-    /// keep an orientation they carry half of its weight; upwards they give no more than the block's
-    /// own weight, so they cannot lift the tower.
+    /// keep an orientation they carry half of its weight; upwards they give no more than the
+    /// block's own weight, so they cannot lift the tower.
     Slide,
     /// A block in the air: moved in all directions, its weight carried.
     Carry,
-    /// One fingertip: pushes along `axis` (unit vector, world), never pulls, and holds no orientation.
+    /// One fingertip: pushes along `axis` (unit vector, world), never pulls, and holds no
+    /// orientation.
     Push {
         /// Direction of the push, unit vector in the world.
         axis: DVec3,
@@ -104,7 +105,8 @@ pub struct Hand {
     /// Target of the grasped point at the end of the step, m. Within the step the target moves at a
     /// constant velocity from that of the last step.
     pub target: DVec3,
-    /// Target orientation of the body (x, y, z, w), reached in the same manner; none leaves it free.
+    /// Target orientation of the body (x, y, z, w), reached in the same manner; none leaves it
+    /// free.
     pub orientation: Option<DQuat>,
     /// Grip.
     pub grip: Grip,
@@ -115,7 +117,8 @@ pub struct Hand {
 }
 
 impl Hand {
-    /// Maximum force of a careful hand, N: with less a tower of 10 N can only be tipped near its top.
+    /// Maximum force of a careful hand, N: with less a tower of 10 N can only be tipped near its
+    /// top.
     pub const DEFAULT_FORCE: f64 = 4.0;
     /// Maximum torque of a careful hand, N m: twice what holds a block level by its end.
     pub const DEFAULT_TORQUE: f64 = 0.02;

@@ -1,11 +1,13 @@
-//! The engine of Teeter: a tower of blocks in which everything is a spring.
+//! Physics engine of Teeter: a tower of blocks in which everything is a spring.
 //!
-//! Contact is a spring per area with a damper and a Maxwell element, friction is a tangential spring that gives way at Coulomb's
-//! cone (Cundall and Strack 1979), and time goes in many small explicit steps. There is no iterative solver and no resting case.
-//! [`World::step`] is the whole of it; `step.rs` is its table of contents.
+//! A contact is a spring per area with a damper and a Maxwell element; friction is a tangential
+//! spring that slips at Coulomb's cone (Cundall and Strack 1979). Time advances in many small
+//! explicit steps, without an iterative solver and without a special case for rest. [`World::step`]
+//! is one frame; `step.rs` is the table of contents.
 //!
-//! No input or output, no clock, no random numbers, no global state, no thread of its own: with the feature `parallel`, bodies that
-//! cannot meet are stepped side by side in rayon's current pool. SI units; z is up, the floor is z = 0.
+//! The crate has no input or output, no clock, no random numbers, no global state and no threads of
+//! its own: with the feature `parallel`, bodies that cannot touch are stepped in rayon's current
+//! thread pool. Units are SI; z is up, the floor is z = 0.
 //!
 //! ```
 //! use teeter_physics::{Input, Params, World};
@@ -17,45 +19,28 @@
 //! # Ok::<(), teeter_physics::BuildError>(())
 //! ```
 
-mod acts;
-mod batch;
+mod actuator;
 mod body;
 mod body_id;
-mod box_box;
-mod broad_phase;
 mod cluster;
+mod collision;
 mod constants;
-mod contacts;
-mod drive;
-mod form;
-mod frame;
-mod hand;
+mod derived;
 mod input;
-mod island;
 mod kernel;
 mod lattice;
-mod manifold;
-mod moved;
-mod pack;
 mod params;
-mod polygon;
 mod pose;
-mod regroup;
 mod report;
-mod rest;
 mod restitution;
-mod rigid;
-mod setup;
 #[cfg_attr(
     all(target_arch = "wasm32", target_feature = "simd128"),
-    allow(dead_code, reason = "the portable lanes are then only a reference")
+    allow(dead_code, reason = "the portable registers are then only a reference")
 )]
 mod simd;
 mod snapshot;
 mod step;
 mod step_io;
-mod sync;
-mod ways;
 mod world;
 
 pub use body_id::BodyId;

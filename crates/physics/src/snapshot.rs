@@ -4,13 +4,13 @@ use glam::DVec3;
 use serde::{Deserialize, Serialize};
 use teeter_scene::Form;
 
+use crate::actuator::hand::HandTarget;
 use crate::body::Bodies;
 use crate::cluster::Cluster;
-use crate::contacts::Contacts;
-use crate::hand::Aim;
+use crate::cluster::partition::Clusters;
+use crate::collision::contacts::Contacts;
 use crate::input::AppliedForce;
-use crate::lattice::Particles;
-use crate::regroup::Clusters;
+use crate::lattice::particles::Particles;
 use crate::world::World;
 
 /// Error of [`World::restore`].
@@ -47,20 +47,20 @@ struct State {
     time: f64,
     bodies: Bodies,
     contacts: Contacts,
-    /// Bodies of each cluster, and true where one has outgrown its swept bounds.
+    /// Bodies of each cluster, and true where one has left its swept bounds.
     clusters: Vec<(Vec<u32>, bool)>,
-    aim: Option<Aim>,
+    hand_target: Option<HandTarget>,
     forces: Vec<AppliedForce>,
     gravity: DVec3,
 }
 
 impl State {
     /// Returns true if it holds `n` bodies, with nothing missing or out of range.
-    fn is_of(&self, n: usize) -> bool {
+    fn has_len(&self, n: usize) -> bool {
         let mut ids: Vec<u32> = self.clusters.iter().flat_map(|(ids, _)| ids.iter().copied()).collect();
         ids.sort_unstable();
         let known = |i: u32| i == crate::body::FLOOR || (i as usize) < n;
-        self.bodies.is_of(n)
+        self.bodies.has_len(n)
             && self.contacts.bounds.len() == n
             && self.contacts.swept.len() == n
             && self.contacts.manifolds.iter().all(|m| known(m.a) && (m.b as usize) < n)
@@ -74,7 +74,7 @@ impl World {
     pub fn snapshot(&self) -> Vec<u8> {
         let mut whole = Cluster::new(&self.params, self.scene.form);
         for body in 0..self.len() as u32 {
-            let (cluster, i) = self.clusters.of(body);
+            let (cluster, i) = self.clusters.get(body);
             whole.push(cluster, i);
         }
         for cluster in &self.clusters.list {
@@ -85,13 +85,13 @@ impl World {
             bodies: whole.bodies,
             contacts: whole.contacts,
             clusters: self.clusters.list.iter().map(|c| (c.ids.clone(), c.outgrown)).collect(),
-            aim: self.aim,
+            hand_target: self.hand_target,
             forces: self.forces.clone(),
             gravity: self.gravity,
         };
         let mut bytes = MAGIC.to_vec();
         bytes.extend(postcard::to_stdvec(&state).expect("plain numbers can always be written"));
-        // rigid blocks have no particles
+        // Rigid blocks have no particles.
         if self.scene.form == Form::Lattice {
             bytes.extend(postcard::to_stdvec(&whole.particles).expect("plain numbers can always be written"));
         }
@@ -109,7 +109,7 @@ impl World {
         if state.bodies.len() != n {
             return Err(SnapshotError::BodyCount { found: state.bodies.len(), expected: n });
         }
-        // rigid blocks end with the state, particles follow it
+        // Particles follow the state of lattice blocks.
         let found = if rest.is_empty() { Form::Rigid } else { Form::Lattice };
         if found != self.scene.form {
             return Err(SnapshotError::Form { found });
@@ -118,12 +118,12 @@ impl World {
             Form::Rigid => Vec::new(),
             Form::Lattice => postcard::from_bytes(rest).map_err(|_| SnapshotError::Damaged)?,
         };
-        if !state.is_of(n) || (found == Form::Lattice && particles.len() != n) {
+        if !state.has_len(n) || (found == Form::Lattice && particles.len() != n) {
             return Err(SnapshotError::Damaged);
         }
         let mut whole = Cluster::new(&self.params, self.scene.form);
         for body in 0..n as u32 {
-            let (cluster, i) = self.clusters.of(body);
+            let (cluster, i) = self.clusters.get(body);
             whole.ids.push(body);
             whole.shapes.push(&cluster.shapes, i);
         }
@@ -133,12 +133,13 @@ impl World {
         whole.particles = particles;
         whole.contacts = state.contacts;
         let (parts, outgrown): (Vec<_>, Vec<_>) = state.clusters.into_iter().unzip();
-        self.clusters = Clusters::one(whole);
+        self.clusters = Clusters::single(whole);
         self.clusters.split(&self.params, self.scene.form, &parts);
         for (cluster, outgrown) in self.clusters.list.iter_mut().zip(outgrown) {
             cluster.outgrown = outgrown;
         }
-        (self.time, self.aim, self.forces, self.gravity) = (state.time, state.aim, state.forces, state.gravity);
+        (self.time, self.hand_target) = (state.time, state.hand_target);
+        (self.forces, self.gravity) = (state.forces, state.gravity);
         self.write_poses();
         Ok(())
     }

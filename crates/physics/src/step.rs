@@ -1,38 +1,39 @@
-//! The step: the table of contents of the physics.
+//! Step: the table of contents of the physics.
 
-use crate::acts::{Acts, push};
+use crate::actuator::cluster_input::{ClusterInput, input_speeds};
 use crate::cluster::Cluster;
-use crate::frame::{Frame, Outcome};
+use crate::cluster::frame::{ClusterReport, Frame};
 use crate::input::Input;
-use crate::moved::Moved;
+use crate::kernel::sync_set::SyncSet;
 use crate::report::StepReport;
 use crate::simd::float_mode::FloatMode;
 use crate::world::World;
 
 impl World {
-    /// Advances the world by one frame and reports on it. Never fails: input that is not finite or names
-    /// no body is ignored, and a body whose state runs away is quarantined and listed in the report.
+    /// Advances the world by one frame and reports on it.
     ///
-    /// With the feature `parallel`, bodies that cannot meet within a frame are stepped in parallel in
-    /// rayon's current thread pool; the bits are the same for any number of threads.
+    /// A step never fails: input that is not finite or names no body is ignored, and a body whose
+    /// state runs away is quarantined and named in the report. With the feature `parallel`,
+    /// clusters of bodies that cannot touch within the frame are stepped in rayon's current thread
+    /// pool; the bits are the same for any number of threads.
     pub fn step(&mut self, input: &Input) -> StepReport {
         let _mode = FloatMode::standard();
         let input = self.sanitise(input);
         self.wake_targets(&input);
-        self.regroup(&input);
-        let outcomes = self.step_clusters(&input);
+        self.partition(&input);
+        let reports = self.step_clusters(&input);
         self.store_input(&input);
-        self.report(&input, outcomes)
+        self.report(&input, reports)
     }
 
-    /// Advances by `seconds`, rounded to whole frames and at least one, without input; returns the last
-    /// report.
+    /// Advances by `seconds`, rounded to whole frames and at least one, without input; returns the
+    /// last report.
     pub fn run_for(&mut self, seconds: f64) -> StepReport {
         self.run_with(seconds, &Input::default())
     }
 
-    /// Advances by `seconds`, rounded to whole frames and at least one, with the same input in each;
-    /// returns the last report.
+    /// Advances by `seconds`, rounded to whole frames and at least one, with the same input in
+    /// each; returns the last report.
     pub fn run_with(&mut self, seconds: f64, input: &Input) -> StepReport {
         for _ in 1..self.frames(seconds) {
             self.step(input);
@@ -40,54 +41,50 @@ impl World {
         self.step(input)
     }
 
-    /// Makes the clusters such that none can touch another in the next frame.
-    fn regroup(&mut self, input: &Input) {
-        let push = push(input, self.aim.as_ref(), self.setup.frame, |body| self.mass(body));
-        self.clusters.regroup(&self.params, self.scene.form, self.setup.frame, &push);
+    /// Updates the clusters so that no two can touch in the next frame.
+    fn partition(&mut self, input: &Input) {
+        let speeds = input_speeds(input, self.hand_target.as_ref(), self.derived.frame, |body| self.mass(body));
+        self.clusters.partition(&self.params, self.scene.form, self.derived.frame, &speeds);
     }
 
-    /// Steps each cluster on its own.
-    fn step_clusters(&mut self, input: &Input) -> Vec<Outcome> {
-        let acts = Acts::of(input, self.aim, &self.forces, &self.clusters);
-        let frame = Frame { setup: self.setup, start: self.time, gravity: self.gravity };
+    /// Steps each cluster independently.
+    fn step_clusters(&mut self, input: &Input) -> Vec<ClusterReport> {
+        let locations = (self.clusters.list.len(), self.clusters.locations.as_slice());
+        let inputs = ClusterInput::split(input, self.hand_target, &self.forces, locations);
+        let frame = Frame { derived: self.derived, start: self.time, gravity: self.gravity };
         #[cfg(feature = "parallel")]
         if self.clusters.list.iter().filter(|cluster| cluster.is_awake()).nth(1).is_some() {
             use rayon::prelude::*;
-            return self
-                .clusters
-                .list
-                .par_iter_mut()
-                .zip(acts)
-                .map(|(cluster, acts)| cluster.step(&frame, acts))
-                .collect();
+            let clusters = self.clusters.list.par_iter_mut().zip(inputs);
+            return clusters.map(|(cluster, input)| cluster.step(&frame, input)).collect();
         }
-        self.clusters.list.iter_mut().zip(acts).map(|(cluster, acts)| cluster.step(&frame, acts)).collect()
+        self.clusters.list.iter_mut().zip(inputs).map(|(cluster, input)| cluster.step(&frame, input)).collect()
     }
 }
 
 impl Cluster {
     /// Advances the cluster by one frame.
-    fn step(&mut self, frame: &Frame, mut acts: Acts) -> Outcome {
-        // it may have a thread of its own
+    fn step(&mut self, frame: &Frame, mut input: ClusterInput) -> ClusterReport {
+        // The mode is set for each thread.
         let _mode = FloatMode::standard();
-        let mut outcome = Outcome::default();
+        let mut report = ClusterReport::default();
         if !self.is_awake() {
-            return outcome;
+            return report;
         }
-        self.begin(frame);
-        let mut moved = Moved::all(self.len());
+        self.begin_frame(frame);
+        let mut synced = SyncSet::all(self.len());
         let mut done = 0;
-        while done < frame.setup.substeps {
-            let batch = self.grant(frame, done, &mut moved, &mut outcome);
-            self.pack(frame, &acts, done, batch, &moved);
-            done += self.run(frame, &mut acts, done, batch, &mut outcome);
-            moved = self.moved(frame, &acts, done);
-            self.unload(frame, done, &moved);
-            self.commit(frame, done, &mut moved, &mut outcome);
-            self.detect(frame, done, &mut moved, &mut outcome);
-            self.measure(&moved, &mut outcome);
+        while done < frame.derived.substeps {
+            let batch = self.plan_batch(frame, done, &mut synced, &mut report);
+            self.pack(frame, &input, batch, &synced);
+            done += self.run_batch(frame, &mut input, batch, &mut report);
+            synced = self.bodies_to_sync(frame, &input, done);
+            self.unpack(frame, done, &synced);
+            self.sync_poses(frame, done, &mut synced, &mut report);
+            self.detect(frame, done, &mut synced, &mut report);
+            self.update_gaps(&synced, &mut report);
         }
-        self.rest(frame);
-        outcome
+        self.update_rest(frame);
+        report
     }
 }

@@ -1,8 +1,8 @@
-//! Both ends of a step: the input that is let in, and the report on it.
+//! Input and report of a step.
 
+use crate::actuator::hand::{HandTarget, grasp_point};
 use crate::body_id::BodyId;
-use crate::frame::Outcome;
-use crate::hand::{Aim, grasped};
+use crate::cluster::frame::ClusterReport;
 use crate::input::{Grip, Hand, Input};
 use crate::report::StepReport;
 use crate::world::World;
@@ -11,8 +11,8 @@ use crate::world::World;
 const MAX_HAND_FORCE: f64 = 50.0;
 
 impl World {
-    /// Returns the input without its invalid parts: unknown or quarantined bodies, numbers that are not
-    /// finite, negative limits.
+    /// Returns the input without its invalid parts: unknown or quarantined bodies, numbers that are
+    /// not finite, negative limits.
     pub(crate) fn sanitise(&self, input: &Input) -> Input {
         let known = |body: BodyId| body.index() < self.len();
         let mut input = input.clone();
@@ -30,15 +30,15 @@ impl World {
         input
     }
 
-    /// Wakes the bodies that the input acts on, and those that the last one acted on: a hand or force
-    /// that lets go changes loads as well.
+    /// Wakes the bodies that the input acts on, and those that the last one acted on: a hand or
+    /// force that lets go changes loads as well.
     pub(crate) fn wake_targets(&mut self, input: &Input) {
-        let gravity = input.gravity.unwrap_or(self.setup.own_gravity());
+        let gravity = input.gravity.unwrap_or(self.derived.scene_gravity());
         let mut targets: Vec<BodyId> = input.forces.iter().map(|f| f.body).collect();
         targets.extend(input.drives.iter().map(|d| d.body));
         targets.extend(input.hand.iter().map(|h| h.body));
         targets.extend(self.forces.iter().map(|f| f.body));
-        targets.extend(self.aim.iter().map(|aim| BodyId(aim.body)));
+        targets.extend(self.hand_target.iter().map(|target| target.body));
         if gravity != self.gravity {
             targets = self.bodies().collect();
         }
@@ -48,37 +48,37 @@ impl World {
 
     /// Stores the parts of the input that the next step ramps from.
     pub(crate) fn store_input(&mut self, input: &Input) {
-        self.aim = input.hand.as_ref().map(Aim::of);
+        self.hand_target = input.hand.as_ref().map(HandTarget::at_end);
         self.forces.clone_from(&input.forces);
     }
 
     /// Updates time and poses at the end of a step and returns the report on it.
-    pub(crate) fn report(&mut self, input: &Input, outcomes: Vec<Outcome>) -> StepReport {
-        self.time += self.setup.substeps as f64 * self.setup.h;
+    pub(crate) fn report(&mut self, input: &Input, clusters: Vec<ClusterReport>) -> StepReport {
+        self.time += self.derived.substeps as f64 * self.derived.h;
         self.write_poses();
         let mut report = StepReport { time: self.time, ..StepReport::default() };
         let mut squares = 0.0;
-        for (cluster, outcome) in self.clusters.list.iter().zip(outcomes) {
-            report.substeps = report.substeps.max(outcome.substeps);
-            report.syncs += outcome.syncs;
-            report.detections += outcome.detections;
+        for (cluster, part) in self.clusters.list.iter().zip(clusters) {
+            report.substeps = report.substeps.max(part.substeps);
+            report.syncs += part.syncs;
+            report.detections += part.detections;
             report.manifolds += cluster.contacts.manifolds.len() as u32;
             let points = cluster.contacts.manifolds.iter().flat_map(|m| &m.points);
-            report.touching += points.filter(|p| p.force > 0.0).count() as u32;
-            report.awake += (0..cluster.len()).filter(|&i| cluster.bodies.moves(i)).count() as u32;
-            report.penetration = report.penetration.max(outcome.penetration);
+            report.touching += points.filter(|p| p.normal_force > 0.0).count() as u32;
+            report.awake += (0..cluster.len()).filter(|&i| cluster.bodies.is_active(i)).count() as u32;
+            report.penetration = report.penetration.max(part.penetration);
             for v in &cluster.bodies.velocity {
                 squares += v.length_squared();
                 report.max_speed = report.max_speed.max(v.length());
             }
-            report.quarantined.extend(outcome.quarantined.iter().map(|&i| BodyId(cluster.ids[i as usize])));
-            report.hand = report.hand.or(outcome.hand);
+            report.quarantined.extend(part.quarantined.iter().map(|&i| BodyId(cluster.ids[i as usize])));
+            report.hand = report.hand.or(part.hand);
         }
         report.quarantined.sort_unstable();
         report.rms_speed = (squares / self.len().max(1) as f64).sqrt();
         if let (Some(to), Some(hand)) = (&mut report.hand, &input.hand) {
-            let (cluster, i) = self.clusters.of(hand.body.0);
-            to.point = grasped(&hand.anchor, &cluster.bodies, i);
+            let (cluster, i) = self.clusters.get(hand.body.0);
+            to.point = grasp_point(&hand.anchor, &cluster.bodies, i);
         }
         report
     }

@@ -3,20 +3,20 @@
 use glam::{DMat3, DQuat, DVec3};
 use teeter_scene::{Form, Scene, Springs};
 
+use crate::actuator::hand::HandTarget;
 use crate::body::{Bodies, FLOOR, Shapes};
 use crate::body_id::BodyId;
-use crate::broad_phase::Bound;
-use crate::cluster::{Cluster, Loop};
-use crate::constants::SWEEP_LEAST;
-use crate::hand::Aim;
+use crate::cluster::partition::Clusters;
+use crate::cluster::{Cluster, rest};
+use crate::collision::broad_phase::Aabb;
+use crate::constants::MIN_SWEEP;
+use crate::derived::{Derived, Masses};
 use crate::input::AppliedForce;
-use crate::lattice::Particles;
+use crate::kernel::any_kernel::AnyKernel;
+use crate::lattice::particles::Particles;
 use crate::params::Params;
 use crate::pose::{POSE_STRIDE, Pose, Twist};
-use crate::regroup::Clusters;
 use crate::report::{ContactReport, LatticeReport};
-use crate::rest;
-use crate::setup::{Masses, Setup};
 use crate::simd::float_mode::FloatMode;
 
 /// Error of [`World::new`] and [`World::set_form`].
@@ -58,13 +58,13 @@ pub enum BuildError {
 #[derive(Debug, Clone)]
 pub struct World {
     pub(crate) params: Params,
-    /// The scene as built, with the form and springs of today.
+    /// The scene as built, with the present form and springs.
     pub(crate) scene: Scene,
-    pub(crate) setup: Setup,
+    pub(crate) derived: Derived,
     pub(crate) clusters: Clusters,
     pub(crate) time: f64,
     /// Target of the hand in the last step.
-    pub(crate) aim: Option<Aim>,
+    pub(crate) hand_target: Option<HandTarget>,
     /// Forces at the end of the last step.
     pub(crate) forces: Vec<AppliedForce>,
     /// Gravity of the last step.
@@ -82,15 +82,15 @@ impl World {
         check(&params)?;
         scene.validate()?;
         let shapes = Shapes::new(scene);
-        let setup = Setup::new(scene, &params, Masses::new(&shapes));
+        let derived = Derived::new(scene, &params, Masses::new(&shapes));
         let mut world = Self {
             scene: scene.clone(),
-            setup,
-            clusters: Clusters::one(single_cluster(scene, &params, shapes)),
+            derived,
+            clusters: Clusters::single(single_cluster(scene, &params, shapes)),
             time: 0.0,
-            aim: None,
+            hand_target: None,
             forces: Vec::new(),
-            gravity: setup.own_gravity(),
+            gravity: derived.scene_gravity(),
             poses: vec![0.0; POSE_STRIDE * scene.blocks.len()],
             params,
         };
@@ -110,7 +110,7 @@ impl World {
 
     /// Number of bodies.
     pub fn len(&self) -> usize {
-        self.clusters.place.len()
+        self.clusters.locations.len()
     }
 
     /// Returns true if there is no body.
@@ -123,15 +123,15 @@ impl World {
         &self.params
     }
 
-    /// The scene that the world was built from, with the present form and springs of the blocks. Its
-    /// blocks are where they were at the start.
+    /// The scene that the world was built from, with the present form and springs of the blocks.
+    /// Its blocks are where they were at the start.
     pub fn scene(&self) -> &Scene {
         &self.scene
     }
 
     /// Stiffness of a contact of [`REFERENCE_AREA`](crate::REFERENCE_AREA), N/m.
     pub fn stiffness(&self) -> f64 {
-        self.setup.stiffness
+        self.derived.stiffness
     }
 
     /// Simulated time, s.
@@ -141,7 +141,7 @@ impl World {
 
     /// Length of a substep, s.
     pub fn substep(&self) -> f64 {
-        self.setup.h
+        self.derived.h
     }
 
     /// Number of frames that cover `seconds`, rounded to the nearest.
@@ -209,7 +209,8 @@ impl World {
         cluster.bodies.quarantined[i]
     }
 
-    /// Sets velocity and spin of a body: the start of an experiment. Wakes it and all that it touches.
+    /// Sets velocity and spin of a body: the start of an experiment. Wakes it and all that it
+    /// touches.
     ///
     /// # Panics
     /// When the world has no such body.
@@ -231,11 +232,11 @@ impl World {
 
     /// Stiffness of the springs within the blocks, N/m; none where the blocks are rigid.
     pub fn spring_stiffness(&self) -> Option<f64> {
-        self.setup.springs.map(|springs| springs.stiffness)
+        self.derived.springs.map(|springs| springs.stiffness)
     }
 
-    /// Changes the form of the blocks or their springs, at the present poses and velocities. Springs
-    /// keep their strain where there were springs before.
+    /// Changes the form of the blocks or their springs, at the present poses and velocities.
+    /// Springs keep their strain where there were springs before.
     ///
     /// # Errors
     /// When a constant of the springs is out of its range; the world is then unchanged.
@@ -255,23 +256,23 @@ impl World {
                 *particles = shapes.particles.iter().enumerate().map(|(i, half)| of(i, half)).collect();
                 bodies.stretch = vec![DMat3::IDENTITY; particles.len()];
             }
-            cluster.kernel = Loop::new(&self.params, form);
+            cluster.kernel = AnyKernel::new(&self.params, form);
             cluster.contacts.detect_all(&cluster.shapes, &mut cluster.bodies);
         }
-        self.setup = Setup::new(&self.scene, &self.params, self.setup.masses);
+        self.derived = Derived::new(&self.scene, &self.params, self.derived.masses);
         self.bodies().for_each(|body| self.wake(body));
         Ok(())
     }
 
-    /// Positions of the particles of a body in the world, m, and the forces of its springs (N, tension
-    /// is positive) in the order of the pairs (0, 1), (0, 2), ... (6, 7); none where the body is rigid.
-    /// Bit k of a particle's number is its side of axis k.
+    /// Positions of the particles of a body in the world, m, and the forces of its springs (N,
+    /// tension is positive) in the order of the pairs (0, 1), (0, 2), ... (6, 7); none where the
+    /// body is rigid. Bit k of a particle's number is its side of axis k.
     ///
     /// # Panics
     /// When the world has no such body.
     pub fn lattice(&self, body: BodyId) -> Option<LatticeReport> {
         let (cluster, i) = self.locate(body);
-        let springs = self.setup.springs.as_ref()?;
+        let springs = self.derived.springs.as_ref()?;
         Some(cluster.particles.get(i)?.report(cluster.shapes.particles[i], cluster.bodies.pose(i as u32), springs))
     }
 
@@ -285,11 +286,11 @@ impl World {
         self.wake(body);
         let (cluster, i) = self.locate_mut(body);
         cluster.bodies.orientation[i] = orientation.normalize();
-        // its new swept bounds may overlap those of another cluster
-        self.clusters.regroup(&self.params, self.scene.form, self.setup.frame, &[]);
+        // Its new swept bounds may overlap those of another cluster.
+        self.clusters.partition(&self.params, self.scene.form, self.derived.frame, &[]);
         let (cluster, i) = self.locate_mut(body);
         let due = [i as u32];
-        let (pairs, _) = cluster.contacts.candidates(&cluster.shapes, &mut cluster.bodies, &due, SWEEP_LEAST);
+        let (pairs, _) = cluster.contacts.candidate_pairs(&cluster.shapes, &mut cluster.bodies, &due, MIN_SWEEP);
         cluster.contacts.detect(&cluster.shapes, &mut cluster.bodies, &due, &pairs);
         self.write_poses();
     }
@@ -307,11 +308,11 @@ impl World {
                 continue;
             }
             let (center, axes) = cluster.bodies.pose(manifold.a);
-            let force: f64 = manifold.points.iter().map(|p| p.force).sum();
+            let force: f64 = manifold.points.iter().map(|p| p.normal_force).sum();
             if force <= 0.0 {
                 continue;
             }
-            let moment: DVec3 = manifold.points.iter().map(|p| p.anchor_a * p.force).sum();
+            let moment: DVec3 = manifold.points.iter().map(|p| p.anchor_a * p.normal_force).sum();
             let normal = axes * manifold.frame[0];
             let (other, normal) = if manifold.a == i { (manifold.b, -normal) } else { (manifold.a, normal) };
             reports.push(ContactReport {
@@ -333,12 +334,12 @@ impl World {
     /// Returns the cluster of a body and the body's index there.
     fn locate(&self, body: BodyId) -> (&Cluster, usize) {
         self.assert_has(body);
-        self.clusters.of(body.0)
+        self.clusters.get(body.0)
     }
 
     fn locate_mut(&mut self, body: BodyId) -> (&mut Cluster, usize) {
         self.assert_has(body);
-        self.clusters.of_mut(body.0)
+        self.clusters.get_mut(body.0)
     }
 
     fn assert_has(&self, body: BodyId) {
@@ -362,17 +363,18 @@ impl World {
     }
 }
 
-/// All bodies of a scene in one cluster, with their contacts detected; the first step partitions it.
+/// All bodies of a scene in one cluster, with their contacts detected; the first step partitions
+/// it.
 fn single_cluster(scene: &Scene, params: &Params, shapes: Shapes) -> Cluster {
     let mut cluster = Cluster::new(params, scene.form);
     cluster.ids = (0..scene.blocks.len() as u32).collect();
     cluster.bodies = Bodies::new(scene);
     cluster.particles = vec![Particles::default(); shapes.particles.len()];
     cluster.bodies.stretch = vec![DMat3::IDENTITY; shapes.particles.len()];
-    let bound = |i| Bound::new(&shapes, &cluster.bodies, i, SWEEP_LEAST);
+    let bound = |i| Aabb::new(&shapes, &cluster.bodies, i, MIN_SWEEP);
     cluster.contacts.swept = (0..cluster.len()).map(bound).collect();
     cluster.contacts.bounds = cluster.contacts.swept.clone();
-    cluster.contacts.renew_near();
+    cluster.contacts.update_neighbours();
     cluster.contacts.detect_all(&shapes, &mut cluster.bodies);
     cluster.shapes = shapes;
     cluster.outgrown = true;
@@ -381,7 +383,7 @@ fn single_cluster(scene: &Scene, params: &Params, shapes: Shapes) -> Cluster {
 
 fn check(params: &Params) -> Result<(), BuildError> {
     let range = |field, value: f64, min: f64, max: f64, expected| {
-        // a NaN is in no range
+        // NaN is in no range.
         if (min..=max).contains(&value) { Ok(()) } else { Err(BuildError::Param { field, value, expected }) }
     };
     range("ramp", params.ramp, 0.0, 60.0, "0 to 60 s")?;

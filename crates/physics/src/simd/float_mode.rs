@@ -2,8 +2,8 @@
 
 /// Guard under which results are rounded to nearest and subnormal numbers are kept.
 ///
-/// A host may have set its thread otherwise: audio programs flush subnormals to zero, some libraries do so
-/// when they are loaded.
+/// A host may have set its thread otherwise: audio programs flush subnormals to zero, some
+/// libraries do so when they are loaded.
 #[derive(Debug)]
 pub struct FloatMode {
     #[cfg(target_arch = "x86_64")]
@@ -41,8 +41,8 @@ impl Drop for FloatMode {
 mod x86_64 {
     use std::arch::asm;
 
-    /// Control bits: subnormal operands as zero, exception masks, rounding, subnormal results to zero. The
-    /// remaining bits are status flags.
+    /// Control bits: subnormal operands as zero, exception masks, rounding, subnormal results to
+    /// zero. The remaining bits are status flags.
     pub const MODE: u32 = 1 << 6 | 0x3f << 7 | 3 << 13 | 1 << 15;
     /// Exceptions masked, all other control bits zero.
     pub const STANDARD: u32 = 0x3f << 7;

@@ -2,8 +2,8 @@
 
 use std::ops::{Add, AddAssign, Div, Mul, Neg, Sub, SubAssign};
 
-/// Scalars in a lane array: the widest register that the target may have. Lanes never share a sum, so
-/// results do not depend on it.
+/// Scalars in a lane array: the widest register that the target may have. Lanes never share a sum,
+/// so results do not depend on it.
 pub const LANES: usize = if cfg!(target_arch = "x86_64") {
     16
 } else if cfg!(all(target_arch = "wasm32", target_feature = "simd128")) {
@@ -107,8 +107,8 @@ pub trait Lanes:
     }
 }
 
-/// Transposition between rows (the [`ROW_LEN`] scalars of one body) and columns (one scalar of as many
-/// bodies as there are lanes). The fourth and the eighth scalar of a row are zero.
+/// Transposition between rows (the [`ROW_LEN`] scalars of one body) and columns (one scalar of as
+/// many bodies as there are lanes). The fourth and the eighth scalar of a row are zero.
 pub trait Transpose: Sized {
     /// Type of a lane.
     type Scalar: Real;

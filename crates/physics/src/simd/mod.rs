@@ -1,8 +1,8 @@
 //! Vectors of scalars, one type for each register width of the supported machines.
 //!
-//! Every operation rounds each lane as the scalar operation does, and only a transposition moves data
-//! between lanes: all widths give the same bits. Deliberately absent: fused multiply-add, reciprocal
-//! estimates and horizontal sums.
+//! Every operation rounds each lane as the scalar operation does, and only a transposition moves
+//! data between lanes: all widths give the same bits. Deliberately absent: fused multiply-add,
+//! reciprocal estimates and horizontal sums.
 
 #[cfg(target_arch = "x86_64")]
 pub mod avx2;

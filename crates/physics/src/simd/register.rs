@@ -37,7 +37,8 @@ impl<L: Lanes, const N: usize> RowRegister<L::Scalar> for SplitRow<L, N> {
     }
 }
 
-/// Collects the rows of all lanes. The closure has a single call site, so that it is always inlined.
+/// Collects the rows of all lanes. The closure has a single call site, so that it is always
+/// inlined.
 #[inline(always)]
 pub fn collect<L: Lanes, const N: usize, const ROWS: usize>(
     mut row: impl FnMut(usize) -> SplitRow<L, N>,
@@ -49,7 +50,8 @@ pub fn collect<L: Lanes, const N: usize, const ROWS: usize>(
     rows
 }
 
-/// Implements [`Transpose`](super::lanes::Transpose) for a register of four lanes, from the transposition of four registers.
+/// Implements [`Transpose`](super::lanes::Transpose) for a register of four lanes, from the
+/// transposition of four registers.
 macro_rules! transpose_fours {
     ($t:ident, $number:ty, $transposed:ident) => {
         impl $crate::simd::lanes::Transpose for $t {
@@ -79,7 +81,8 @@ macro_rules! transpose_fours {
 }
 pub(crate) use transpose_fours;
 
-/// Implements [`Transpose`](super::lanes::Transpose) for a register of two lanes, from the two interleavings of two registers.
+/// Implements [`Transpose`](super::lanes::Transpose) for a register of two lanes, from the two
+/// interleavings of two registers.
 macro_rules! transpose_twos {
     ($t:ident, $number:ty, $low:expr, $high:expr) => {
         impl $crate::simd::lanes::Transpose for $t {
@@ -123,8 +126,8 @@ macro_rules! transpose_twos {
 }
 pub(crate) use transpose_twos;
 
-/// Defines a type of one register and implements [`Lanes`] by the intrinsics given. They are unsafe where
-/// the machine may lack them: users of the type have checked that it does not.
+/// Defines a type of one register and implements [`Lanes`] by the intrinsics given. They are unsafe
+/// where the machine may lack them: users of the type have checked that it does not.
 macro_rules! register {
     (
         $(#[$doc:meta])*

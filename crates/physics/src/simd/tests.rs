@@ -43,8 +43,14 @@ fn in_scalars<R: Real>(x: &[R; LEN], y: &[R; LEN], op: impl Fn(R, R) -> R) -> [u
 }
 
 fn agrees<L: Lanes>() {
-    let zero = L::Scalar::default();
     let all = samples::<L::Scalar>();
+    arithmetic_agrees::<L>(&all);
+    masks_agree::<L>(&all[0]);
+    transposition_agrees::<L>(&all);
+}
+
+fn arithmetic_agrees<L: Lanes>(all: &[[L::Scalar; LEN]]) {
+    let zero = L::Scalar::default();
     for (x, y) in all.iter().zip(all.iter().rev()) {
         assert_eq!(in_lanes::<L>(x, y, |a, b| a + b), in_scalars(x, y, |a, b| a + b));
         assert_eq!(in_lanes::<L>(x, y, |a, b| a - b), in_scalars(x, y, |a, b| a - b));
@@ -78,7 +84,10 @@ fn agrees<L: Lanes>() {
         }
         assert_eq!(in_lanes::<L>(x, y, |_, _| L::splat(x[3])), bits([x[3]; LEN]));
     }
-    let x = &all[0];
+}
+
+fn masks_agree<L: Lanes>(x: &[L::Scalar; LEN]) {
+    let zero = L::Scalar::default();
     assert_eq!(in_lanes::<L>(x, x, |_, _| L::zero()), bits([zero; LEN]));
     assert_eq!(in_lanes::<L>(x, x, |_, _| L::splat_f64(0.1)), bits([L::Scalar::from_f64(0.1); LEN]));
     for lane in 0..LEN {
@@ -89,6 +98,10 @@ fn agrees<L: Lanes>() {
             assert_eq!(L::any(mask), there);
         }
     }
+}
+
+fn transposition_agrees<L: Lanes>(all: &[[L::Scalar; LEN]]) {
+    let zero = L::Scalar::default();
     for rows in all.chunks_exact(LEN) {
         let row =
             |l: usize| -> [L::Scalar; ROW_LEN] { std::array::from_fn(|i| if i % 4 == 3 { zero } else { rows[l][i] }) };

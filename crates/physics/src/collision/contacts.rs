@@ -1,0 +1,228 @@
+//! Contact manifolds of a cluster, sorted by their keys, and the detection that updates them.
+
+use glam::DVec3;
+use serde::{Deserialize, Serialize};
+
+use crate::body::{Bodies, FLOOR, Shapes, rotate_tensor};
+use crate::collision::box_box::{Cuboid, PairStatus, box_box, box_floor};
+use crate::collision::broad_phase::{Aabb, Neighbours, overlapping_pairs};
+use crate::collision::manifold::{Manifold, key};
+use crate::constants::{MARGIN_RANGE, MARGIN_SHARE, MARGIN_TIME, MIN_NEAR_TRAVEL, STRAIN_INERTIA};
+
+/// Largest number of new manifolds that are inserted one by one; more are appended and sorted.
+const MAX_INSERTIONS: usize = 8;
+
+/// Manifolds of a cluster, sorted by [`Manifold::key`], and the bounds of its bodies.
+#[derive(Debug, Clone, Default, Serialize, Deserialize)]
+pub struct Contacts {
+    pub manifolds: Vec<Manifold>,
+    /// Bounds of the bodies at their last detection, grown by their margins: a body stays within
+    /// them until its next detection.
+    pub bounds: Vec<Aabb>,
+    /// Swept bounds of each body for a frame or longer, see [`crate::cluster::partition`]; they
+    /// contain `bounds`.
+    pub swept: Vec<Aabb>,
+    /// Pairs of bodies of which the swept bounds overlap.
+    #[serde(skip)]
+    neighbours: Neighbours,
+}
+
+impl Contacts {
+    /// Recomputes the neighbours after a change of `swept`.
+    pub fn update_neighbours(&mut self) {
+        self.neighbours = Neighbours::new(self.swept.len(), &overlapping_pairs(&self.swept));
+    }
+
+    /// Sets the neighbours from pairs that the caller has computed.
+    pub fn set_neighbours(&mut self, pairs: &[(u32, u32)]) {
+        self.neighbours = Neighbours::new(self.swept.len(), pairs);
+    }
+
+    /// Index of the manifold of a pair; `hint` is tried first.
+    pub fn find_from(&self, hint: usize, (low, high): (u32, u32)) -> Option<usize> {
+        let found = self.manifolds.get(hint).is_some_and(|m| m.key() == key(low, high));
+        if found { Some(hint) } else { self.find((low, high)) }
+    }
+
+    /// Index of the manifold of a pair.
+    pub fn find(&self, (low, high): (u32, u32)) -> Option<usize> {
+        self.manifolds.binary_search_by_key(&key(low, high), Manifold::key).ok()
+    }
+
+    /// Renews margins and bounds of the bodies in `due` (sorted) and returns the pairs to test,
+    /// lower index or floor first.
+    ///
+    /// A body hit harder than any body moved before leaves its swept bounds. These are then grown
+    /// by `growth` (m), and the second result is true.
+    pub fn candidate_pairs(
+        &mut self,
+        shapes: &Shapes,
+        bodies: &mut Bodies,
+        due: &[u32],
+        growth: f64,
+    ) -> (Vec<(u32, u32)>, bool) {
+        let mut swept_changed = false;
+        for i in due.iter().map(|&i| i as usize) {
+            bodies.margin[i] = (bodies.max_point_speed(shapes, i) * MARGIN_TIME).clamp(MARGIN_RANGE.0, MARGIN_RANGE.1);
+            bodies.detection_pose[i] = (bodies.position[i], bodies.orientation[i]);
+            self.bounds[i] = Aabb::new(shapes, bodies, i, bodies.margin[i]);
+            if !self.swept[i].contains(&self.bounds[i]) {
+                self.swept[i] = self.bounds[i].grown(growth);
+                swept_changed = true;
+            }
+        }
+        if swept_changed {
+            self.update_neighbours();
+        }
+        let mut pairs = Vec::new();
+        for &i in due {
+            let bound = &self.bounds[i as usize];
+            if bound.min.z <= 0.0 {
+                pairs.push((FLOOR, i));
+            }
+            for &j in self.neighbours.of(i as usize) {
+                // A pair of two due bodies is listed by its lower one.
+                if (j > i || due.binary_search(&j).is_err()) && bound.overlaps(&self.bounds[j as usize]) {
+                    pairs.push((i.min(j), i.max(j)));
+                }
+            }
+        }
+        (pairs, swept_changed)
+    }
+
+    /// Tests the pairs, which must be all candidate pairs of the bodies in `due` (sorted), and
+    /// updates the manifolds. The history of a persisting contact is preserved.
+    pub fn detect(&mut self, shapes: &Shapes, bodies: &mut Bodies, due: &[u32], pairs: &[(u32, u32)]) {
+        let mut found: Vec<Manifold> = Vec::new();
+        let mut touching = vec![false; self.manifolds.len()];
+        let mut next = Manifold::new();
+        for &(low, high) in pairs {
+            let index = self.find((low, high));
+            let last = index.map(|i| &self.manifolds[i]);
+            match (test_pair(shapes, bodies, [low, high], last, &mut next), index) {
+                (PairStatus::Apart, _) => {}
+                (PairStatus::Near(distance), _) => shrink_margins(shapes, bodies, [low, high], distance),
+                (PairStatus::Touching, Some(i)) => {
+                    touching[i] = true;
+                    self.manifolds[i].copy_from(&next);
+                }
+                (PairStatus::Touching, None) => found.push(next.clone()),
+            }
+        }
+        // Manifolds of due bodies that were not found again are removed.
+        let is_due = |i: u32| i != FLOOR && due.binary_search(&i).is_ok();
+        let mut touching = touching.into_iter();
+        self.manifolds.retain(|m| touching.next().unwrap_or(true) || !(is_due(m.a) || is_due(m.b)));
+        if found.len() > MAX_INSERTIONS {
+            self.manifolds.append(&mut found);
+            self.manifolds.sort_by_key(Manifold::key);
+        }
+        for manifold in found {
+            let key = manifold.key();
+            let index = self.manifolds.partition_point(|m| m.key() < key);
+            self.manifolds.insert(index, manifold);
+        }
+    }
+
+    /// Detects all contacts of all bodies.
+    pub fn detect_all(&mut self, shapes: &Shapes, bodies: &mut Bodies) {
+        let all: Vec<u32> = (0..bodies.len() as u32).collect();
+        let (pairs, _) = self.candidate_pairs(shapes, bodies, &all, 0.0);
+        self.detect(shapes, bodies, &all, &pairs);
+    }
+
+    /// Recomputes the gaps of a manifold from the poses; returns the deepest penetration, m.
+    pub fn update_gaps(bodies: &Bodies, manifold: &mut Manifold) -> f64 {
+        let (center_a, axes_a) = bodies.pose(manifold.a);
+        let (center_b, axes_b) = bodies.affine(manifold.b);
+        let normal = manifold.normal_in_world(bodies, axes_a);
+        let axes_a = bodies.strained(manifold.a, axes_a);
+        let mut deepest: f64 = 0.0;
+        for point in &mut manifold.points {
+            let on_a = center_a + axes_a * point.anchor_a;
+            let on_b = center_b + axes_b * point.anchor_b;
+            point.gap = normal.dot(on_b - on_a);
+            deepest = deepest.max(-point.gap);
+        }
+        deepest
+    }
+}
+
+/// Returns true if a body has moved by [`MARGIN_SHARE`] of its margin since its last detection.
+pub fn needs_detection(shapes: &Shapes, bodies: &Bodies, i: usize) -> bool {
+    !bodies.asleep[i] && bodies.travel_since(shapes, i, bodies.detection_pose[i]) > MARGIN_SHARE * bodies.margin[i]
+}
+
+/// Box of a body in the world; that of the floor has no size.
+pub fn cuboid(shapes: &Shapes, bodies: &Bodies, i: u32) -> Cuboid {
+    let (center, axes) = bodies.pose(i);
+    let half = if i == FLOOR { DVec3::ZERO } else { bodies.half(shapes, i as usize) };
+    Cuboid { body: i, center, axes, half }
+}
+
+/// Tests a pair. Where it touches, `to` becomes its manifold, with the history of `last`.
+fn test_pair(
+    shapes: &Shapes,
+    bodies: &Bodies,
+    [low, high]: [u32; 2],
+    last: Option<&Manifold>,
+    to: &mut Manifold,
+) -> PairStatus {
+    let axis = last.map(|m| m.axis);
+    let (low_box, high_box) = (cuboid(shapes, bodies, low), cuboid(shapes, bodies, high));
+    let status = if low == FLOOR {
+        box_floor(&high_box, bodies.margin[high as usize], axis, to)
+    } else {
+        let limit = bodies.margin[low as usize] + bodies.margin[high as usize];
+        box_box(&low_box, &high_box, limit, axis, to)
+    };
+    if status != PairStatus::Touching {
+        return status;
+    }
+    unstrain_anchors(to, shapes, bodies);
+    let of = |i: u32| if i == low { &low_box } else { &high_box };
+    if let Some(last) = last {
+        let (r, last_r) = (of(to.a).axes, of(last.a).axes);
+        to.inherit_history(last, |d| r * d, |d| last_r * d);
+    }
+    to.mobility = mobility(to, shapes, of(to.a), of(to.b));
+    status
+}
+
+/// Maps the anchors of a new manifold from the strained blocks to the unstrained ones.
+fn unstrain_anchors(manifold: &mut Manifold, shapes: &Shapes, bodies: &Bodies) {
+    let scale = |i: u32| bodies.stretch_of(i).map(|_| shapes.half[i as usize] / bodies.half(shapes, i as usize));
+    if let Some(scale) = scale(manifold.a) {
+        manifold.points.iter_mut().for_each(|p| p.anchor_a *= scale);
+    }
+    if let Some(scale) = scale(manifold.b) {
+        manifold.points.iter_mut().for_each(|p| p.anchor_b *= scale);
+    }
+}
+
+/// Shrinks the margins of two bodies that are near but have no manifold, so that they are tested
+/// again before they have closed `distance` (m). Otherwise a block that passes an edge would be
+/// found only when it overlaps by a whole margin.
+fn shrink_margins(shapes: &Shapes, bodies: &mut Bodies, pair: [u32; 2], distance: f64) {
+    for i in pair.map(|i| i as usize) {
+        let travelled = bodies.travel_since(shapes, i, bodies.detection_pose[i]);
+        bodies.margin[i] = bodies.margin[i].min(travelled + (0.5 * distance).max(MIN_NEAR_TRAVEL));
+    }
+}
+
+/// Inverse effective mass of the two bodies of a manifold at its patch, 1/kg; that of the floor is
+/// zero.
+fn mobility(manifold: &Manifold, shapes: &Shapes, a: &Cuboid, b: &Cuboid) -> f64 {
+    let centroid = a.center + a.axes * manifold.centroid;
+    let of = |c: &Cuboid| {
+        let i = c.body as usize;
+        let arm = centroid - c.center;
+        let inv_inertia = rotate_tensor(c.axes, shapes.inertia[i].recip());
+        let rigid = manifold.rigid_mobility(shapes.mass[i], inv_inertia, arm, |d| a.axes * d);
+        let Some(&half) = shapes.particles.get(i) else { return rigid };
+        let inv_squares = rotate_tensor(c.axes, (half * half).recip());
+        let affine = manifold.affine_mobility(shapes.mass[i], inv_squares, arm, |d| a.axes * d);
+        rigid + (affine - rigid) / STRAIN_INERTIA
+    };
+    of(b) + if manifold.a == FLOOR { 0.0 } else { of(a) }
+}

@@ -1,0 +1,56 @@
+//! Relative motion of two affine bodies at a contact, and the wrench dual to it.
+
+use crate::kernel::body_model::RelativeMotion;
+use crate::simd::lanes::Lanes;
+
+/// Relative velocity at the centroid and its gradient along each tangent, in components along
+/// normal, tangent, tangent.
+#[derive(Debug, Clone, Copy)]
+pub struct AffineMotion<L> {
+    pub v: [L; 3],
+    pub gradient: [[L; 3]; 2],
+}
+
+/// Force, and moment of the force along each tangent (force times offset), in components along
+/// normal, tangent, tangent.
+#[derive(Debug, Clone, Copy)]
+pub struct AffineWrench<L> {
+    pub f: [L; 3],
+    pub moments: [[L; 3]; 2],
+}
+
+impl<L: Lanes> RelativeMotion<L> for AffineMotion<L> {
+    type Wrench = AffineWrench<L>;
+
+    #[inline(always)]
+    fn zero() -> Self {
+        Self { v: [L::zero(); 3], gradient: [[L::zero(); 3]; 2] }
+    }
+
+    #[inline(always)]
+    fn zero_wrench() -> AffineWrench<L> {
+        AffineWrench { f: [L::zero(); 3], moments: [[L::zero(); 3]; 2] }
+    }
+
+    #[inline(always)]
+    fn velocity_at(&self, r: &[L; 2], q: &[L; 2]) -> [L; 3] {
+        let [x, y] = &self.gradient;
+        [
+            self.v[0] + (x[0] * r[0] + y[0] * r[1]),
+            self.v[1] + (x[1] * q[0] + y[1] * q[1]),
+            self.v[2] + (x[2] * q[0] + y[2] * q[1]),
+        ]
+    }
+
+    #[inline(always)]
+    fn subtract_force(wrench: &mut AffineWrench<L>, force: &[L; 3], r: &[L; 2], q: &[L; 2]) {
+        wrench.f[0] -= force[0];
+        wrench.f[1] -= force[1];
+        wrench.f[2] -= force[2];
+        for (moment, (r, q)) in wrench.moments.iter_mut().zip(r.iter().zip(q)) {
+            moment[0] -= *r * force[0];
+            moment[1] -= *q * force[1];
+            moment[2] -= *q * force[2];
+        }
+    }
+}

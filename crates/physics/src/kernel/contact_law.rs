@@ -1,0 +1,202 @@
+//! Contact law: springs, dampers, Maxwell elements and Coulomb friction at the points of all
+//! contacts.
+//!
+//! Each result is stored as soon as it is computed: V8 hoists loads above the next store and spills
+//! what its registers cannot hold, see [`store_in_order`](crate::kernel::layout::store_in_order).
+//! Arrays are written out instead of mapped: a closure passed to `map` is not always inlined, which
+//! costs ten times the time where wider registers are used than the program was built for.
+
+use crate::constants::{MAXWELL_TIME, STRIBECK_SPEED, TANGENTIAL_DAMPING, TANGENTIAL_STIFFNESS};
+use crate::derived::Derived;
+use crate::kernel::body_model::{BodyModel, RelativeMotion};
+use crate::kernel::layout::{Group, PointLanes, Row};
+use crate::kernel::vector::load;
+use crate::simd::lanes::{LANES, Lanes, Real};
+
+/// Constants of the contact law.
+#[derive(Debug, Clone, Copy)]
+pub struct ContactLaw<R> {
+    /// Factor by which the Maxwell element decays in a substep.
+    pub maxwell_decay: R,
+    /// Tangential over normal stiffness.
+    pub tangential_stiffness: R,
+    /// Tangential over normal ratio of damping to stiffness.
+    pub tangential_damping_time: R,
+    /// Kinetic coefficient of friction.
+    pub mu_kinetic: R,
+    /// Static minus kinetic coefficient of friction.
+    pub mu_excess: R,
+    /// Inverse square of the displacement in a substep at [`STRIBECK_SPEED`], 1/m².
+    pub stribeck: R,
+}
+
+impl<R: Real> ContactLaw<R> {
+    /// Constants of a world.
+    pub fn new(derived: &Derived) -> Self {
+        let displacement = derived.h * STRIBECK_SPEED;
+        Self {
+            maxwell_decay: R::from_f64(1.0 - derived.h / MAXWELL_TIME),
+            tangential_stiffness: R::from_f64(TANGENTIAL_STIFFNESS),
+            tangential_damping_time: R::from_f64(TANGENTIAL_DAMPING / TANGENTIAL_STIFFNESS),
+            mu_kinetic: R::from_f64(derived.mu.1),
+            mu_excess: R::from_f64(derived.mu.0 - derived.mu.1),
+            stribeck: R::from_f64(1.0 / (displacement * displacement)),
+        }
+    }
+}
+
+/// State in a substep of one part of a group: as many contacts as a register has lanes.
+pub struct GroupPart<L: Lanes, M: RelativeMotion<L>> {
+    /// Points in the fullest lane.
+    count: u8,
+    motion: M,
+    wrench: M::Wrench,
+}
+
+impl<L: Lanes, M: RelativeMotion<L>> GroupPart<L, M> {
+    /// Parts of a group.
+    pub fn of(group: &Group<L::Scalar>) -> impl Iterator<Item = Self> {
+        group.counts.chunks_exact(L::WIDTH).map(|counts| {
+            let count = counts.iter().fold(0, |max, &count| max.max(count));
+            Self { count, motion: M::zero(), wrench: M::zero_wrench() }
+        })
+    }
+}
+
+/// Applies the contact law to a chunk of groups: reads velocities, advances springs, adds to
+/// forces.
+///
+/// Each stage runs over all groups before the next one begins: its loop is short, and an
+/// out-of-order processor overlaps consecutive contacts. Iterators are passed to `zip` by
+/// reference, or it would walk both by a common index and multiply that in each iteration.
+#[inline(always)]
+pub fn apply_contacts<L: Lanes, B: BodyModel<L::Scalar>>(
+    groups: &mut [Group<L::Scalar>],
+    parts: &mut [GroupPart<L, B::Motion<L>>],
+    law: &ContactLaw<L::Scalar>,
+    velocity: &[Row<L::Scalar>],
+    force: &mut [Row<L::Scalar>],
+) {
+    for (group, parts) in groups.iter().zip(&mut parts.chunks_exact_mut(LANES / L::WIDTH)) {
+        for (i, part) in parts.iter_mut().enumerate() {
+            if LANES == L::WIDTH || part.count > 0 {
+                B::relative_motion::<L>(group, i, velocity, &mut part.motion);
+            }
+        }
+    }
+    for (group, parts) in groups.iter_mut().zip(&mut parts.chunks_exact_mut(LANES / L::WIDTH)) {
+        for (i, part) in parts.iter_mut().enumerate() {
+            part.wrench = contact_wrench(group, i, part.count, law, &part.motion);
+        }
+    }
+    for (group, parts) in groups.iter().zip(&mut parts.chunks_exact_mut(LANES / L::WIDTH)) {
+        for (i, part) in parts.iter_mut().enumerate() {
+            if LANES == L::WIDTH || part.count > 0 {
+                B::apply_wrench::<L>(group, i, &mut part.wrench, force);
+            }
+        }
+    }
+}
+
+/// Contact law and damping of one part of a group.
+struct PartLaw<'a, L: Lanes> {
+    part: usize,
+    law: &'a ContactLaw<L::Scalar>,
+    /// Damping over stiffness, substeps.
+    damping_time: L,
+}
+
+/// Wrench of one part of a group whose fullest lane has `count` points. The slots are unrolled by
+/// hand because the compiler keeps a loop over them.
+#[inline(always)]
+fn contact_wrench<L: Lanes, M: RelativeMotion<L>>(
+    group: &mut Group<L::Scalar>,
+    part: usize,
+    count: u8,
+    law: &ContactLaw<L::Scalar>,
+    motion: &M,
+) -> M::Wrench {
+    let mut wrench = M::zero_wrench();
+    let law = PartLaw { part, law, damping_time: load(&group.damping_time, part) };
+    let [p, q, r, s] = &mut group.points;
+    if count > 0 {
+        contact_point(p, &law, motion, &mut wrench);
+    }
+    if count > 1 {
+        contact_point(q, &law, motion, &mut wrench);
+    }
+    if count > 2 {
+        contact_point(r, &law, motion, &mut wrench);
+    }
+    if count > 3 {
+        contact_point(s, &law, motion, &mut wrench);
+    }
+    wrench
+}
+
+/// Contact law at one point of each lane, from the motion of B relative to A.
+#[inline(always)]
+fn contact_point<L: Lanes, M: RelativeMotion<L>>(
+    p: &mut PointLanes<L::Scalar>,
+    &PartLaw { part, law, damping_time }: &PartLaw<L>,
+    motion: &M,
+    wrench: &mut M::Wrench,
+) {
+    let zero = L::zero();
+    let arm = [load::<L>(&p.arm[0], part), load::<L>(&p.arm[1], part)];
+    let torsion_arm = [load::<L>(&p.torsion_arm[0], part), load::<L>(&p.torsion_arm[1], part)];
+
+    // Displacement of the point in this substep, along normal, tangent, tangent.
+    let [vn, u1, u2] = motion.velocity_at(&arm, &torsion_arm);
+
+    // Normal: spring, damper and Maxwell element, without tension. An open point has no stiffness.
+    let gap = load::<L>(&p.gap, part) + vn;
+    let closed = gap.less_than(zero);
+    gap.store(&mut p.gap.0, part);
+    // A register with several lanes is rarely open in all of them, so the test pays for one lane
+    // only.
+    if L::WIDTH == 1 && !L::any(closed) {
+        zero.store(&mut p.maxwell.0, part);
+        zero.store(&mut p.tangential[0].0, part);
+        zero.store(&mut p.tangential[1].0, part);
+        zero.store(&mut p.normal_force.0, part);
+        return;
+    }
+    let maxwell = L::mask(closed, load::<L>(&p.maxwell, part) * L::splat(law.maxwell_decay) + vn);
+    let k = L::mask(closed, load::<L>(&p.stiffness, part));
+    let normal_force = k * ((gap + maxwell) + damping_time * vn);
+    let normal_force = L::mask(normal_force.less_than(zero), normal_force);
+    maxwell.store(&mut p.maxwell.0, part);
+    normal_force.store(&mut p.normal_force.0, part);
+
+    // Tangential: spring and damper within Coulomb's cone.
+    let kt = L::splat(law.tangential_stiffness) * k;
+    let ct = L::splat(law.tangential_damping_time) * damping_time;
+    let mut s1 = L::mask(closed, load::<L>(&p.tangential[0], part) + u1);
+    let mut s2 = L::mask(closed, load::<L>(&p.tangential[1], part) + u2);
+    let (mut g1, mut g2) = (kt * (s1 + ct * u1), kt * (s2 + ct * u2));
+    let limit = L::splat(law.mu_kinetic) * normal_force;
+    let square = g1 * g1 + g2 * g2;
+    if L::any((limit * limit).less_than(square)) {
+        let q = cone_scale(law, -normal_force, u1 * u1 + u2 * u2, square);
+        (s1, s2, g1, g2) = (s1 * q, s2 * q, g1 * q, g2 * q);
+    }
+    s1.store(&mut p.tangential[0].0, part);
+    s2.store(&mut p.tangential[1].0, part);
+
+    M::subtract_force(wrench, &[normal_force, g1, g2], &arm, &torsion_arm);
+}
+
+/// Factor that scales friction and its springs back to Coulomb's cone, from the normal force and
+/// the squares of speed and friction.
+///
+/// The cone narrows from static to kinetic friction with the sliding speed, mu = mu_k + (mu_s -
+/// mu_k) / (1 + (u / u_s)²), so that a sliding contact does not stick in each substep.
+#[inline(always)]
+fn cone_scale<L: Lanes>(law: &ContactLaw<L::Scalar>, normal: L, speed_squared: L, friction_squared: L) -> L {
+    let one = L::splat_f64(1.0);
+    let mu = L::splat(law.mu_kinetic) + L::splat(law.mu_excess) / (one + speed_squared * L::splat(law.stribeck));
+    let limit = mu * normal;
+    let friction = friction_squared.sqrt();
+    L::select(limit.less_than(friction), limit / friction, one)
+}

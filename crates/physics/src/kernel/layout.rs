@@ -1,0 +1,154 @@
+//! Memory layout of the inner loop: lane arrays, groups of contacts, and rows of the bodies.
+
+use glam::DVec3;
+
+use crate::kernel::vector::{LaneArray, dot, load, load3};
+use crate::simd::lanes::{LANES, Lanes, ROW_LEN, Real};
+
+/// Points of an entry; a manifold with more points has several entries.
+pub const SLOTS: usize = 4;
+
+/// Contact points of a group in one slot, one for each lane.
+#[derive(Debug, Clone, Copy, Default)]
+pub struct PointLanes<R> {
+    /// Offset from the centroid along the tangents, m.
+    pub arm: [LaneArray<R>; 2],
+    /// Offset from the centroid at which friction acts, m, see
+    /// [`Manifold::torsion_arms`](crate::collision::manifold::Manifold::torsion_arms).
+    pub torsion_arm: [LaneArray<R>; 2],
+    /// Separation, m.
+    pub gap: LaneArray<R>,
+    /// Displacement of the tangential spring, m.
+    pub tangential: [LaneArray<R>; 2],
+    /// Displacement of the Maxwell element, m.
+    pub maxwell: LaneArray<R>,
+    /// Stiffness, N/m.
+    pub stiffness: LaneArray<R>,
+    /// Normal force, N; negative in compression.
+    pub normal_force: LaneArray<R>,
+}
+
+/// Group of contacts, one for each lane.
+#[derive(Debug, Clone, Copy)]
+pub struct Group<R> {
+    /// Points of each contact.
+    pub counts: [u8; LANES],
+    /// Offsets of the rows of body A and body B, in scalars.
+    pub a: [u32; LANES],
+    pub b: [u32; LANES],
+    /// Normal and tangents in the world.
+    pub frame: [[LaneArray<R>; 3]; 3],
+    /// Centroid, from the cluster's reference point, m.
+    pub centroid: [LaneArray<R>; 3],
+    /// Damping over stiffness, substeps.
+    pub damping_time: LaneArray<R>,
+    /// Points by slot.
+    pub points: [PointLanes<R>; SLOTS],
+}
+
+impl<R: Real> Group<R> {
+    /// Group of open contacts of the floor with itself; `floor` is the offset of the floor's rows.
+    pub fn new(floor: u32) -> Self {
+        let open = PointLanes { gap: LaneArray([R::from_f64(1.0); LANES]), ..PointLanes::default() };
+        Self {
+            counts: [0; LANES],
+            a: [floor; LANES],
+            b: [floor; LANES],
+            frame: Default::default(),
+            centroid: Default::default(),
+            damping_time: LaneArray::default(),
+            points: [open; SLOTS],
+        }
+    }
+
+    /// Loads normal and tangents of one part.
+    #[inline(always)]
+    pub fn frame_part<L: Lanes<Scalar = R>>(&self, part: usize) -> [[L; 3]; 3] {
+        [load3(&self.frame[0], part), load3(&self.frame[1], part), load3(&self.frame[2], part)]
+    }
+
+    /// Loads the components of normal and tangents along axis `k` of the world, of one part.
+    #[inline(always)]
+    pub fn frame_components<L: Lanes<Scalar = R>>(&self, k: usize, part: usize) -> [L; 3] {
+        [load(&self.frame[0][k], part), load(&self.frame[1][k], part), load(&self.frame[2][k], part)]
+    }
+
+    /// Stores the components of a vector along normal and tangents, of one part.
+    #[inline(always)]
+    pub fn resolve<L: Lanes<Scalar = R>>(&self, part: usize, v: &[L; 3], to: &mut [L; 3]) {
+        for (axis, to) in self.frame.iter().zip(to) {
+            store_in_order(to, dot(&load3(axis, part), v));
+        }
+    }
+
+    /// Resets lane `l` to an open contact of the floor with itself.
+    pub fn clear_lane(&mut self, l: usize, floor: u32) {
+        (self.a[l], self.b[l], self.counts[l]) = (floor, floor, 0);
+        for axis in self.frame.iter_mut().flatten().chain(&mut self.centroid).chain([&mut self.damping_time]) {
+            axis.0[l] = R::default();
+        }
+        for p in &mut self.points {
+            for array in p.arm.iter_mut().chain(&mut p.torsion_arm).chain(&mut p.tangential).chain([
+                &mut p.maxwell,
+                &mut p.stiffness,
+                &mut p.normal_force,
+            ]) {
+                array.0[l] = R::default();
+            }
+            p.gap.0[l] = R::from_f64(1.0);
+        }
+    }
+}
+
+/// Row of two vectors, x, y, z, 0, x, y, z, 0: velocity and spin (m and rad per substep), or force
+/// and torque (N and N m).
+#[derive(Debug, Clone, Copy, Default)]
+#[repr(align(32))]
+pub struct Row<R>(pub [R; ROW_LEN]);
+
+impl<R: Real> Row<R> {
+    /// Row of two vectors.
+    pub fn new(x: DVec3, y: DVec3) -> Self {
+        Self([x.x, x.y, x.z, 0.0, y.x, y.y, y.z, 0.0].map(R::from_f64))
+    }
+
+    /// Adds to the two vectors.
+    pub fn add(&mut self, x: DVec3, y: DVec3) {
+        for k in 0..3 {
+            self.0[k] = self.0[k] + R::from_f64(x[k]);
+            self.0[k + 4] = self.0[k + 4] + R::from_f64(y[k]);
+        }
+    }
+}
+
+/// Row at an offset in scalars, without a bounds check. The unit is a scalar because x86 scales an
+/// index by the size of a scalar in the load itself, but not by that of a row.
+#[inline(always)]
+pub fn row<R>(rows: &[Row<R>], offset: u32) -> &[R; ROW_LEN] {
+    debug_assert!((offset as usize).is_multiple_of(ROW_LEN) && (offset as usize) < ROW_LEN * rows.len());
+    // SAFETY: offsets come from groups alone. `Packing::pack` fills these with the offsets of rows
+    // that `Kernel::resize` has allocated for each body and for the floor.
+    unsafe { &*rows.as_ptr().cast::<R>().add(offset as usize).cast() }
+}
+
+/// Mutable row at an offset in scalars, without a bounds check.
+#[inline(always)]
+pub fn row_mut<R>(rows: &mut [Row<R>], offset: u32) -> &mut [R; ROW_LEN] {
+    debug_assert!((offset as usize).is_multiple_of(ROW_LEN) && (offset as usize) < ROW_LEN * rows.len());
+    // SAFETY: as for `row`.
+    unsafe { &mut *rows.as_mut_ptr().cast::<R>().add(offset as usize).cast() }
+}
+
+/// Stores a value before all later stores of the program.
+///
+/// Matters to WebAssembly only: LLVM otherwise reorders stores, and V8, which hoists loads above
+/// the next store, then needs more registers than it has and spills.
+#[inline(always)]
+pub fn store_in_order<T: Copy>(to: &mut T, x: T) {
+    if cfg!(target_arch = "wasm32") {
+        // SAFETY: a reference is valid for writes, and a `Copy` type needs no drop.
+        unsafe { std::ptr::write_volatile(to, x) }
+    } else {
+        *to = x;
+    }
+}

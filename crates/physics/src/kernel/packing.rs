@@ -1,0 +1,294 @@
+//! Packing: from bodies and manifolds to the groups of the inner loop, and back.
+//!
+//! Only points that can touch before the next sync are packed. An entry holds up to four points of
+//! a manifold and occupies one lane. When everything is repacked, the fullest entries come first;
+//! otherwise entries of synced bodies leave their lanes, and new ones take the first free lanes.
+//! The order in which forces are summed follows from that and is the same on every machine.
+
+use arrayvec::ArrayVec;
+use glam::DVec3;
+
+use crate::body::{Bodies, FLOOR, Shapes};
+use crate::collision::contacts::Contacts;
+use crate::collision::manifold::Manifold;
+use crate::constants::{FLOOR_STEP_LIMIT, STEP_LIMIT};
+use crate::derived::Derived;
+use crate::kernel::body_model::{BodyModel, KernelBody};
+use crate::kernel::inner_loop::Kernel;
+use crate::kernel::layout::{Group, SLOTS};
+use crate::kernel::sync_set::SyncSet;
+use crate::kernel::tangential_refine::TangentialRefine;
+use crate::kernel::vector::{LaneArray, set3};
+use crate::lattice::particles::Particles;
+use crate::simd::lanes::{LANES, Real};
+
+/// Stride in manifolds between consecutive entries. Neighbours in the order of manifolds share a
+/// body, and adding to the same sum twice in a row would wait for the first addition.
+const SPREAD: usize = 7;
+
+/// Up to four points of a manifold.
+#[derive(Debug, Clone)]
+struct Entry {
+    a: u32,
+    b: u32,
+    /// Index of the manifold when the entry was packed.
+    manifold: usize,
+    /// Indices of the points in the manifold.
+    points: ArrayVec<u8, SLOTS>,
+}
+
+/// State of the bodies that packing reads.
+#[derive(Debug, Clone, Copy)]
+pub struct PackInput<'a> {
+    pub shapes: &'a Shapes,
+    pub bodies: &'a Bodies,
+    /// Particles of each body; empty for rigid bodies.
+    pub particles: &'a [Particles],
+    pub derived: &'a Derived,
+}
+
+/// Entries in the lanes of a kernel, and budgets of the bodies.
+#[derive(Debug, Clone, Default)]
+pub struct Packing {
+    /// Entry in each lane, group by group.
+    lanes: Vec<Option<Entry>>,
+    /// Number of entries of each body.
+    entry_counts: Vec<u32>,
+    /// True for bodies on which only their load acts: their flight has a closed form, see
+    /// [`crate::cluster::sync::integrate_ballistic`].
+    pub ballistic: Vec<bool>,
+    /// Travel of each body's points until its next sync, m.
+    pub travel_budget: Vec<f64>,
+    /// Rotation of each body until its next sync, rad.
+    pub rotation_budget: Vec<f64>,
+    /// Weight and applied force (N) and torque (N m) on each body: all but contacts, hand and
+    /// drives.
+    pub load: Vec<(DVec3, DVec3)>,
+    /// Substep of the frame at which each body was synced.
+    pub synced_at: Vec<usize>,
+    /// Reference point at which twists are compared, m.
+    reference: DVec3,
+}
+
+impl Packing {
+    /// Resets the packing at the start of a frame.
+    pub fn reset(&mut self, bodies: &Bodies) {
+        let n = bodies.len();
+        self.lanes.clear();
+        self.entry_counts.clear();
+        self.entry_counts.resize(n, 0);
+        self.ballistic.clear();
+        self.ballistic.resize(n, false);
+        self.travel_budget.clear();
+        self.travel_budget.resize(n, 0.0);
+        self.rotation_budget.clear();
+        self.rotation_budget.resize(n, 0.0);
+        self.load.clear();
+        self.load.resize(n, (DVec3::ZERO, DVec3::ZERO));
+        self.synced_at.clear();
+        self.synced_at.resize(n, 0);
+        self.reference = bodies.position.iter().sum::<DVec3>() / n as f64;
+    }
+
+    /// Stores the springs of synced bodies in the manifolds, and removes their entries from the
+    /// lanes.
+    pub fn unpack<R: Real, B: BodyModel<R>>(
+        &mut self,
+        kernel: &mut Kernel<R, B>,
+        contacts: &mut Contacts,
+        synced: &SyncSet,
+        refine: Option<&TangentialRefine<R>>,
+    ) {
+        let floor = kernel.floor_offset();
+        for (index, lane) in self.lanes.iter_mut().enumerate() {
+            let Some(entry) = lane else { continue };
+            if !synced.touches(entry.a, entry.b) {
+                continue;
+            }
+            let (group, l) = (&mut kernel.groups[index / LANES], index % LANES);
+            if let Some(manifold) = contacts.find_from(entry.manifold, (entry.a, entry.b)) {
+                let points = &mut contacts.manifolds[manifold].points;
+                for (slot, (from, &p)) in group.points.iter().zip(&entry.points).enumerate() {
+                    let to = &mut points[p as usize];
+                    let tangential = [from.tangential[0].0[l], from.tangential[1].0[l]];
+                    to.tangential = refine.map_or(tangential.map(R::to_f64), |refine| {
+                        refine.refine(to.tangential, tangential, (index, slot))
+                    });
+                    to.maxwell = from.maxwell.0[l].to_f64();
+                    to.normal_force = 0.0 - from.normal_force.0[l].to_f64();
+                }
+            }
+            if !synced.all {
+                for i in [entry.a, entry.b].into_iter().filter(|&i| i != FLOOR) {
+                    self.entry_counts[i as usize] -= 1;
+                }
+                *lane = None;
+                group.clear_lane(l, floor);
+            }
+        }
+        if synced.all {
+            self.lanes.clear();
+            self.entry_counts.fill(0);
+            kernel.groups.clear();
+        }
+    }
+
+    /// Packs the contacts of synced bodies.
+    pub fn pack<R: Real, B: BodyModel<R>>(
+        &mut self,
+        kernel: &mut Kernel<R, B>,
+        contacts: &mut Contacts,
+        input: &PackInput,
+        synced: &SyncSet,
+    ) {
+        let mut index = 0;
+        for entry in self.select_entries(contacts, input.bodies, synced) {
+            while self.lanes.get(index).is_some_and(Option::is_some) {
+                index += 1;
+            }
+            if index == self.lanes.len() {
+                self.lanes.resize_with(index + LANES, || None);
+                kernel.groups.push(Group::new(kernel.floor_offset()));
+            }
+            let manifold = &contacts.manifolds[entry.manifold];
+            let (rows_a, rows_b) = (
+                if manifold.a == FLOOR { kernel.floor_offset() } else { kernel.row_offset(manifold.a) },
+                kernel.row_offset(manifold.b),
+            );
+            let (group, l) = (&mut kernel.groups[index / LANES], index % LANES);
+            (group.a[l], group.b[l]) = (rows_a, rows_b);
+            self.pack_geometry(group, l, manifold, input.bodies);
+            let (stiffness, damping) = stable_spring(manifold, input.shapes, input.derived);
+            pack_points(group, l, &entry, manifold, (stiffness, damping / stiffness / input.derived.h));
+            for i in [entry.a, entry.b].into_iter().filter(|&i| i != FLOOR) {
+                self.entry_counts[i as usize] += 1;
+            }
+            self.lanes[index] = Some(entry);
+        }
+    }
+
+    /// Selects the points of synced bodies that can touch before the next sync, as entries in the
+    /// order in which they are packed. Points left out are open and lose their history.
+    fn select_entries(&self, contacts: &mut Contacts, bodies: &Bodies, synced: &SyncSet) -> Vec<Entry> {
+        let fixed = |i: u32| i == FLOOR || !bodies.is_active(i as usize);
+        let budget = |i: u32| if i == FLOOR { 0.0 } else { self.travel_budget[i as usize] };
+        let mut entries: Vec<Entry> = Vec::new();
+        for (index, manifold) in contacts.manifolds.iter_mut().enumerate() {
+            let (a, b) = (manifold.a, manifold.b);
+            if !synced.touches(a, b) || (fixed(a) && fixed(b)) {
+                continue;
+            }
+            let limit = budget(a) + budget(b);
+            let empty = Entry { a, b, manifold: index, points: ArrayVec::new() };
+            let mut entry = empty.clone();
+            for (p, point) in manifold.points.iter_mut().enumerate() {
+                if point.gap > limit {
+                    point.reset();
+                    continue;
+                }
+                if entry.points.is_full() {
+                    entries.push(std::mem::replace(&mut entry, empty.clone()));
+                }
+                entry.points.push(p as u8);
+            }
+            if !entry.points.is_empty() {
+                entries.push(entry);
+            }
+        }
+        entries.sort_by_key(|e| (std::cmp::Reverse(e.points.len()), e.manifold % SPREAD));
+        entries
+    }
+
+    /// Packs the geometry of a manifold into lane `l`.
+    fn pack_geometry<R: Real>(&self, group: &mut Group<R>, l: usize, manifold: &Manifold, bodies: &Bodies) {
+        let (center_a, axes_a) = bodies.pose(manifold.a);
+        let centroid = center_a + axes_a * manifold.centroid;
+        for (to, axis) in group.frame.iter_mut().zip(manifold.frame_in_world(bodies, axes_a)) {
+            set3(to, l, axis);
+        }
+        set3(&mut group.centroid, l, centroid - self.reference);
+    }
+
+    /// Loads body `i` into its lane; `actuated` is true if a hand, force or drive acts on it.
+    pub fn load_body<R: Real, B: BodyModel<R>>(
+        &mut self,
+        kernel: &mut Kernel<R, B>,
+        &PackInput { shapes, bodies, particles, derived }: &PackInput,
+        i: usize,
+        actuated: bool,
+    ) {
+        let active = bodies.is_active(i);
+        self.ballistic[i] = active && self.entry_counts[i] == 0 && !actuated;
+        let (force, torque) = self.load[i];
+        let lattice = particles.get(i).zip(derived.springs.as_ref());
+        let body = KernelBody {
+            h: kernel.h,
+            active,
+            mass: shapes.mass[i],
+            inertia: shapes.inertia[i],
+            radius: shapes.radius[i],
+            offset: bodies.position[i] - self.reference,
+            orientation: bodies.orientation[i],
+            velocity: bodies.velocity[i],
+            spin: bodies.spin[i],
+            travel_budget: self.travel_budget[i],
+            rotation_budget: self.rotation_budget[i],
+            force,
+            torque,
+            lattice: lattice.map(|(particles, springs)| (particles, shapes.particles[i], springs)),
+        };
+        let rows = B::ROWS * i..B::ROWS * (i + 1);
+        kernel.bodies[i / LANES].load(i % LANES, &body, &mut kernel.velocity[rows.clone()], &mut kernel.load[rows]);
+    }
+
+    /// Returns true if a body has packed contacts.
+    pub fn has_contacts(&self, i: usize) -> bool {
+        self.entry_counts[i] > 0
+    }
+}
+
+/// Packs the points of an entry into lane `l`, with stiffness (N/m) and damping over stiffness
+/// (substeps).
+fn pack_points<R: Real>(
+    group: &mut Group<R>,
+    l: usize,
+    entry: &Entry,
+    manifold: &Manifold,
+    (stiffness, damping_time): (f64, f64),
+) {
+    let torsion_arms = manifold.torsion_arms();
+    group.counts[l] = entry.points.len() as u8;
+    group.damping_time.0[l] = R::from_f64(damping_time);
+    for (&p, to) in entry.points.iter().zip(&mut group.points) {
+        let from = &manifold.points[p as usize];
+        let set = |to: &mut LaneArray<R>, x: f64| to.0[l] = R::from_f64(x);
+        let torsion_arm = torsion_arms(from);
+        for (k, torsion_arm) in torsion_arm.into_iter().enumerate() {
+            set(&mut to.arm[k], from.arm[k]);
+            set(&mut to.torsion_arm[k], torsion_arm);
+            set(&mut to.tangential[k], from.tangential[k]);
+        }
+        set(&mut to.gap, from.gap);
+        set(&mut to.maxwell, from.maxwell);
+        set(&mut to.stiffness, stiffness * from.weight);
+    }
+}
+
+/// Stiffness (N/m) and damping (N s/m) of a manifold, limited to what the explicit step can
+/// integrate.
+///
+/// A mode of stiffness k and damping c with mobility X is stable while 2 k X h² + 2 c X h < 4; the
+/// Maxwell element doubles k. That holds for a single contact: [`STEP_LIMIT`] and
+/// [`FLOOR_STEP_LIMIT`] are the parts that one contact among others may use. Stiffness is limited
+/// to 0.6 of that part and damping to the remainder. Crossed nominal blocks are within the limit,
+/// for the substep is derived from them, see [`crate::derived`]; blocks lying flat on each other
+/// would exceed it.
+fn stable_spring(manifold: &Manifold, shapes: &Shapes, derived: &Derived) -> (f64, f64) {
+    let inv = |i: u32| if i == FLOOR { 0.0 } else { shapes.mass[i as usize].recip() };
+    let mass = (inv(manifold.a) + inv(manifold.b)).recip();
+    let limit = if manifold.a == FLOOR { FLOOR_STEP_LIMIT } else { STEP_LIMIT };
+    let (h, x) = (derived.h, manifold.mobility);
+    let stiffness = (derived.stiffness * manifold.area_ratio).min(0.6 * limit / (2.0 * h * h * x));
+    let damping = 2.0 * derived.zeta * (stiffness * mass).sqrt();
+    (stiffness, damping.min((limit - 2.0 * h * h * stiffness * x) / (2.0 * h * x)))
+}

@@ -1,0 +1,64 @@
+//! State of the particles of a block.
+
+use glam::{DMat3, DQuat, DVec3};
+use serde::{Deserialize, Serialize};
+
+use crate::body::Bodies;
+use crate::lattice::affine::{PARTICLES, gradient, rest_position};
+use crate::lattice::springs::{SPRINGS, Springs, ends};
+use crate::report::LatticeReport;
+
+/// Particles of a block.
+#[derive(Debug, Clone, Copy, Default, PartialEq, Serialize, Deserialize)]
+pub struct Particles {
+    /// Displacements from the rest positions in the rigid pose, in the body's frame, m.
+    pub displacement: [DVec3; PARTICLES],
+    /// Velocities in the world, m/s.
+    pub velocity: [DVec3; PARTICLES],
+}
+
+impl Particles {
+    /// Unstrained particles of a body in rigid motion; `half` are their distances from the centre,
+    /// m.
+    pub fn of_rigid(half: DVec3, orientation: DQuat, velocity: DVec3, spin: DVec3) -> Self {
+        let mut particles = Self::default();
+        particles.set_motion(half, orientation, velocity, spin);
+        particles
+    }
+
+    /// Sets the velocities to those of a rigid motion.
+    pub fn set_motion(&mut self, half: DVec3, orientation: DQuat, velocity: DVec3, spin: DVec3) {
+        for (i, v) in self.velocity.iter_mut().enumerate() {
+            *v = velocity + spin.cross(orientation * (rest_position(half, i) + self.displacement[i]));
+        }
+    }
+
+    /// Positions of the particles and forces of the springs, for a block with the given pose.
+    pub fn report(&self, half: DVec3, (center, axes): (DVec3, DMat3), springs: &Springs) -> LatticeReport {
+        let mut at = [DVec3::ZERO; PARTICLES];
+        for (i, at) in at.iter_mut().enumerate() {
+            *at = rest_position(half, i) + self.displacement[i];
+        }
+        let mut forces = [0.0; SPRINGS];
+        for (n, force) in forces.iter_mut().enumerate() {
+            let (i, j, _) = ends(n);
+            let (rest, now) = ((rest_position(half, j) - rest_position(half, i)).length(), (at[j] - at[i]).length());
+            // The law of `kernel::spring`, without damping.
+            *force = springs.stiffness * (now * now - rest * rest) / (2.0 * rest * rest) * now;
+        }
+        LatticeReport { particles: at.map(|at| center + axes * at), forces }
+    }
+
+    /// Stretch S = R⁻¹ F of the block; displacements that are not affine do not contribute.
+    pub fn stretch(&self, half: DVec3) -> DMat3 {
+        gradient(&self.displacement, half) + DMat3::IDENTITY
+    }
+}
+
+/// Zeroes the velocities of the particles of bodies that are not active.
+pub fn zero_velocities(bodies: &Bodies, particles: &mut [Particles]) {
+    for (i, particles) in particles.iter_mut().enumerate().filter(|&(i, _)| !bodies.is_active(i)) {
+        debug_assert!(bodies.velocity[i] == DVec3::ZERO);
+        particles.velocity = [DVec3::ZERO; PARTICLES];
+    }
+}
