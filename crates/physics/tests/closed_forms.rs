@@ -1,4 +1,5 @@
-//! What mechanics says exactly: falls, slides, impacts, spins and pushes of one block or a column, in both number formats.
+//! Closed forms of mechanics: fall, slide, impact, spin and push of a block or a column, in both
+//! number formats.
 
 mod common;
 
@@ -8,7 +9,7 @@ use teeter_physics::{AppliedForce, BodyId, Input, Params, Twist, World, restitut
 use teeter_scene::{Form, Scene};
 
 #[test]
-fn a_block_falls_as_galileo_says() {
+fn a_block_in_free_fall_follows_a_parabola() {
     for params in both() {
         let params = Params { ramp: 0.0, ..params };
         let mut world = World::new(&blocks(&[[0.0, 0.0, 10.0]]), params).unwrap();
@@ -32,7 +33,7 @@ fn a_block_on_an_incline_below_the_angle_of_friction_stays() {
 }
 
 #[test]
-fn a_block_on_an_incline_above_the_angle_of_friction_slides_with_the_difference() {
+fn a_block_on_an_incline_above_the_angle_of_friction_accelerates_by_the_difference() {
     for params in both() {
         let mut world = World::new(&one(), params).unwrap();
         run(&mut world, 1.0, &tilted(0.41));
@@ -48,7 +49,7 @@ fn a_block_on_an_incline_above_the_angle_of_friction_slides_with_the_difference(
 }
 
 #[test]
-fn a_sliding_block_stops_where_coulomb_says() {
+fn a_sliding_block_stops_after_coulombs_distance() {
     for params in both() {
         let mut world = World::new(&one(), params).unwrap();
         let (distance, expected) = stopping_distance(&mut world);
@@ -68,7 +69,7 @@ fn kinetic_friction_stops_a_block_and_static_friction_holds_it() {
     let (distance, expected) = (position(&world, 0).x - start, 0.25 / (2.0 * 0.3 * G));
     assert!((distance / expected - 1.0).abs() < 0.01, "{distance} instead of {expected} m");
 
-    // between the two a block at rest stays at rest, and one that slides goes on
+    // Between the two coefficients a block at rest stays at rest, and a sliding one continues.
     let mut still = World::new(&scene, awake()).unwrap();
     run(&mut still, 5.0, &tilted(0.49));
     assert!(position(&still, 0).x.abs() < 1e-5);
@@ -79,8 +80,8 @@ fn kinetic_friction_stops_a_block_and_static_friction_holds_it() {
     assert!((speed / expected - 1.0).abs() < 0.02, "{speed} instead of {expected} m/s");
 }
 
-/// An impact lasts about ten substeps, so what comes of a single one depends a little on where in a substep it begins: drops from
-/// different heights are to have the restitution of the scene in the mean.
+/// An impact lasts about ten substeps, so its restitution depends slightly on the phase of the
+/// substep at which it begins. The mean over drops from different heights is that of the scene.
 #[test]
 fn a_flat_drop_bounces_with_the_restitution_of_the_scene() {
     for params in both() {
@@ -98,12 +99,12 @@ fn a_flat_drop_bounces_with_the_restitution_of_the_scene() {
             assert!(drops.iter().all(|one| (one - mean).abs() < 0.06), "{drops:?}");
         }
     }
-    // outside its range the law takes the nearest it has
+    // Outside its range the restitution of the law is clamped.
     assert!((restitution(0.45) - 0.433).abs() < 1e-3 && (restitution(0.25) - 0.606).abs() < 1e-3);
 }
 
 #[test]
-fn a_free_spin_keeps_energy_and_angular_momentum() {
+fn a_free_spin_conserves_energy_and_angular_momentum() {
     for params in both() {
         let scene = Scene { gravity: 0.0, ..blocks(&[[0.0, 0.0, 1.0]]) };
         let mut world = World::new(&scene, params).unwrap();
@@ -129,7 +130,8 @@ fn a_spinning_block_is_slowed_by_torsion_of_a_uniform_pressure() {
         for size in [SIZE, [0.0268, 0.0268, 0.018], [0.081, 0.018, 0.0268]] {
             let mut scene = one();
             (scene.blocks[0].size, scene.blocks[0].pos) = (size, [0.0, 0.0, 0.5 * size[2]]);
-            // mu m g times the mean distance of a rectangle from its centre, by quadrature
+            // mu m g times the mean distance of a rectangle's points from its centre, by
+            // quadrature.
             let n = 400;
             let cell = |i: usize, l: f64| ((i as f64 + 0.5) / n as f64 - 0.5) * l;
             let distance = |i: usize| glam::DVec2::new(cell(i % n, size[0]), cell(i / n, size[1])).length();
@@ -151,7 +153,8 @@ fn a_spinning_block_is_slowed_by_torsion_of_a_uniform_pressure() {
     }
 }
 
-/// Pulls the fourth of ten blocks at its centre with a share of 7 mu m g; how far it has come after a second, m.
+/// Displacement after a second of the fourth of ten blocks, pulled at its centre with a share of 7
+/// mu m g, m.
 fn column_push(params: Params, share: f64) -> f64 {
     let mut world = World::new(&column(10), params).unwrap();
     run(&mut world, 1.0, &Input::default());
@@ -165,7 +168,7 @@ fn column_push(params: Params, share: f64) -> f64 {
         world.step(&pull(limit * share * f64::from(i) / 120.0));
     }
     run(&mut world, 1.0, &pull(limit * share));
-    // the six above ride along
+    // The six blocks above move with it.
     assert!((position(&world, 9).x - position(&world, 3).x).abs() < 1e-4);
     (position(&world, 3) - start).length()
 }
@@ -179,8 +182,8 @@ fn a_column_is_pulled_apart_at_coulombs_force() {
     }
 }
 
-/// How far a block goes on the floor when the force on it grows by a hundredth in `seconds`, m.
-fn way_of_a_growing_force(form: Form, params: Params, seconds: f64) -> f64 {
+/// Displacement of a block on the floor while the force on it grows by a hundredth in `seconds`, m.
+fn displacement_by_a_growing_force(form: Form, params: Params, seconds: f64) -> f64 {
     let mut world = World::new(&Scene { form, ..one() }, params).unwrap();
     let push = |force: f64| Input {
         forces: vec![AppliedForce::at_center(BodyId(0), DVec3::new(force, 0.0, 0.0))],
@@ -196,12 +199,16 @@ fn way_of_a_growing_force(form: Form, params: Params, seconds: f64) -> f64 {
     position(&world, 0).x - start.x
 }
 
-/// In single precision each substep of a slow growth is lost beside the length of the spring, which then gave way to any force.
+/// In single precision the increment of a slow growth is below the rounding of the spring: unless
+/// it is refined, the spring yields to any force.
 #[test]
-fn a_spring_gives_way_as_far_to_a_force_that_grows_slowly() {
+fn a_spring_yields_as_far_to_a_force_that_grows_slowly() {
     for form in [Form::Rigid, Form::Lattice] {
         for params in both() {
-            let (fast, slow) = (way_of_a_growing_force(form, params, 0.1), way_of_a_growing_force(form, params, 60.0));
+            let (fast, slow) = (
+                displacement_by_a_growing_force(form, params, 0.1),
+                displacement_by_a_growing_force(form, params, 60.0),
+            );
             assert!((slow / fast - 1.0).abs() < 0.02, "{form:?}: {slow:e} m instead of {fast:e}");
         }
     }

@@ -1,4 +1,4 @@
-//! Towers that cannot meet are stepped apart, and nobody can tell.
+//! Clusters: towers that cannot touch are stepped independently, with the same result.
 
 mod common;
 
@@ -7,7 +7,7 @@ use glam::DVec3;
 use teeter_physics::{BodyId, Drive, Input, Params, Twist, World};
 use teeter_scene::{Block, Scene, TowerOptions, tower};
 
-/// A tower, and another one `apart` (m) from it along x.
+/// A tower alone, and together with another one `apart` (m) from it along x.
 fn two(apart: f64) -> (Scene, Scene) {
     let alone = tower(&TowerOptions { rows: 6, seed: 3, ..TowerOptions::default() }).unwrap();
     let other = tower(&TowerOptions { rows: 5, seed: 8, ..TowerOptions::default() }).unwrap();
@@ -17,7 +17,7 @@ fn two(apart: f64) -> (Scene, Scene) {
     (alone, both)
 }
 
-/// A row of the first tower is swept out at 1.5 m/s.
+/// Input that sweeps a row out of the first tower at 1.5 m/s.
 fn sweep(frame: u32) -> Input {
     let drive = |body| Drive { body: BodyId(body), velocity: DVec3::new(0.0, 1.5, 0.0), max_force: 50.0 };
     Input {
@@ -46,7 +46,7 @@ fn both_formats() -> [Params; 2] {
 }
 
 #[test]
-fn what_is_shot_from_afar_hits_and_goes_through_nothing() {
+fn a_fast_block_from_outside_hits_the_tower_and_penetrates_nothing() {
     let (mut scene, _) = two(1.0);
     scene.blocks.push(Block { id: 99, size: SIZE, mass: MASS, pos: [0.6, 0.0, 0.05], yaw: 1.0 });
     for speed in [0.5, 3.0, 12.0] {
@@ -67,10 +67,10 @@ fn what_is_shot_from_afar_hits_and_goes_through_nothing() {
 }
 
 #[test]
-fn a_block_that_is_turned_into_another_cluster_is_found_there() {
+fn a_block_rotated_into_another_cluster_is_detected_there() {
     let mut world = World::new(&blocks(&[[0.0, 0.0, 0.009], [0.0, 0.05, 0.009]]), awake()).unwrap();
     run(&mut world, 0.5, &Input::default());
-    // its end now reaches over where the other lies
+    // Its end now overlaps the other block.
     world.set_orientation(BodyId(1), glam::DQuat::from_rotation_z(std::f64::consts::FRAC_PI_2));
     assert!(world.penetration() > 1e-3);
     run(&mut world, 0.5, &Input::default());

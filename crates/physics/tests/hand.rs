@@ -1,4 +1,5 @@
-//! The hand on a whole tower: what is loose comes out and disturbs nothing, what is tight stays, and no force is unlimited.
+//! Hand on a whole tower: loose blocks come out without disturbing others, tight blocks stay,
+//! forces are limited.
 
 mod common;
 
@@ -7,12 +8,12 @@ use glam::DVec3;
 use teeter_physics::{BodyId, Drive, Grip, Hand, Input, Pose, World};
 use teeter_scene::{Scene, TowerOptions, tower};
 
-/// A settled 18-row tower.
+/// Settled tower of 18 rows.
 fn settled(seed: u64) -> World {
     settled_at(seed, 1e6)
 }
 
-/// The same with contacts of this stiffness, N/m.
+/// Settled tower of 18 rows with contacts of this stiffness, N/m.
 fn settled_at(seed: u64, stiffness: f64) -> World {
     let scene = Scene { stiffness, ..tower(&TowerOptions { seed, ..TowerOptions::default() }).unwrap() };
     let mut world = World::new(&scene, awake()).unwrap();
@@ -30,12 +31,12 @@ fn loose(world: &World) -> Vec<u32> {
     (0..world.len() as u32 - 3).filter(|&i| load(world, i) < 1e-3).collect()
 }
 
-/// The direction of a block's long axis.
+/// Direction of a block's long axis.
 fn along(world: &World, body: u32) -> DVec3 {
     orientation(world, body as usize) * DVec3::X
 }
 
-/// A careful hand at the end of a block that pulls it out along its axis.
+/// Hand with the default limits that pulls a block out by its end along its axis.
 fn pull(world: &World, body: u32, distance: f64) -> Hand {
     let body = BodyId(body);
     let anchor = DVec3::new(0.5 * world.size(body).x, 0.0, 0.0);
@@ -69,28 +70,29 @@ fn a_loose_block_comes_out_at_5_cm_a_second_and_nothing_else_moves() {
     }
 }
 
-/// Half out a block rests on one bearer. Held too softly it tips by the tenth of a millimetre that it has, and its inner end presses on the block above,
-/// which is loose as well in these towers.
+/// Half out, a block rests on a single block. With a soft control of orientation it tips by its
+/// clearance of a tenth of a millimetre, and its inner end presses on the block above, which is
+/// loose as well in these towers.
 #[test]
-fn a_block_drawn_half_out_does_not_tip_and_take_the_loose_block_above_along() {
+fn a_block_drawn_half_out_does_not_tip_or_drag_the_loose_block_above() {
     for (seed, body) in [(20, 29), (9, 37), (17, 17)] {
         let mut world = settled_at(seed, 3e6);
         let before = poses(&world);
         let (axis, hand) = (along(&world, body), pull(&world, body, 0.0));
-        let mut furthest = 0.0_f64;
+        let mut largest = 0.0_f64;
         for i in 1..=104 {
             let target = hand.target + axis * (0.05 * f64::from(i) / 60.0);
             world.step(&Input::hand(Hand { target, ..hand.clone() }));
             let moved = |other: usize| (position(&world, other) - before[other].position).length();
-            furthest = (0..world.len()).filter(|&i| i != body as usize).map(moved).fold(furthest, f64::max);
+            largest = (0..world.len()).filter(|&i| i != body as usize).map(moved).fold(largest, f64::max);
         }
-        assert!(furthest < 1e-4, "seed {seed}: another block moved {} mm when {body} was pulled", furthest * 1e3);
+        assert!(largest < 1e-4, "seed {seed}: another block moved {} mm when {body} was pulled", largest * 1e3);
     }
 }
 
-/// Drag is friction times what the hand leaves to the block below: half the weight.
+/// Drag is the coefficient of friction times the load on the block below, which is half the weight.
 #[test]
-fn a_hand_that_draws_a_block_takes_half_of_its_weight() {
+fn a_sliding_hand_carries_half_of_the_weight() {
     for params in both() {
         let mut world = World::new(&blocks(&[[0.0, 0.0, 0.009], [0.0, 0.0, 0.027]]), params).unwrap();
         run(&mut world, 0.5, &Input::default());
@@ -101,7 +103,7 @@ fn a_hand_that_draws_a_block_takes_half_of_its_weight() {
             felt = world.step(&Input::hand(Hand { target, ..hand.clone() })).hand.unwrap().force;
         }
         let weight = MASS * G;
-        assert!((felt.z / weight - 0.5).abs() < 0.05, "it lifts by {} of the weight", felt.z / weight);
+        assert!((felt.z / weight - 0.5).abs() < 0.05, "it carries {} of the weight", felt.z / weight);
         assert!((felt.x / (0.4 * (weight - felt.z)) - 1.0).abs() < 0.01, "{felt}");
     }
 }
@@ -116,11 +118,7 @@ fn a_block_held_by_its_end_hangs_level() {
         let tilt = (orientation(&world, 0) * DVec3::X).z;
         assert!(tilt.abs() < 1e-6, "it hangs by {tilt} rad");
         let end = position(&world, 0) + orientation(&world, 0) * hand.anchor;
-        assert!(
-            (end - hand.target).length() < 1e-8,
-            "its end is {} from where it is wanted",
-            (end - hand.target).length()
-        );
+        assert!((end - hand.target).length() < 1e-8, "its end is {} m from its target", (end - hand.target).length());
     }
 }
 
@@ -129,18 +127,18 @@ fn a_tight_block_stays_and_the_tower_with_it() {
     let mut world = settled(1);
     let body = (0..27).max_by(|&a, &b| load(&world, a).total_cmp(&load(&world, b))).unwrap();
     let before = poses(&world);
-    // it slips at mu (N above + N below), if what rests on it does not come along before
+    // It slips at mu (N above + N below), unless the blocks above move with it before.
     assert!(0.4 * 2.0 * load(&world, body) > Hand::DEFAULT_FORCE);
     let hand = Hand { max_force: 1.0, ..pull(&world, body, 0.05) };
     let report = run(&mut world, 2.0, &Input::hand(hand));
     let felt = report.hand.unwrap();
-    // what it lifts is part of it
+    // Lift counts towards the largest force.
     assert!(felt.capped && (felt.force.length() - 1.0).abs() < 1e-9, "{felt:?}");
     assert!(displacement(&before, &world) < 1e-4);
 }
 
 #[test]
-fn a_hand_that_holds_the_height_does_not_lift_the_tower() {
+fn a_sliding_hand_with_a_raised_target_does_not_lift_the_tower() {
     let mut world = settled(1);
     let before = poses(&world);
     let mut hand = pull(&world, 4, 0.0);
@@ -151,7 +149,7 @@ fn a_hand_that_holds_the_height_does_not_lift_the_tower() {
 }
 
 #[test]
-fn a_carried_block_follows_the_hand_and_is_put_on_top() {
+fn a_carried_block_follows_the_hand_and_is_placed_on_top() {
     let mut world = settled(1);
     let body = loose(&world)[0];
     let top = (0..world.len()).map(|i| position(&world, i).z).fold(0.0, f64::max);
@@ -206,10 +204,10 @@ fn a_fingertip_pushes_and_never_pulls() {
     assert!(position(&world, 0).x > 1e-3);
 }
 
-/// A block yanked upwards takes all rows above it along; a second later they come down at 5 m/s in one piece, and 0.7 kg on the nine
-/// contacts of a row press them together by v sqrt(M / 2 k) = 1 mm.
+/// A block driven upwards takes all rows above it along. A second later they come down at 5 m/s in
+/// one piece, and 0.7 kg on the nine contacts of a row penetrate by v sqrt(M / 2 k) = 1 mm.
 #[test]
-fn a_middle_block_yanked_at_5_m_s_overlaps_nothing_by_a_millimetre() {
+fn a_middle_block_driven_at_5_m_s_penetrates_nothing_by_a_millimetre() {
     for seed in 1..4 {
         let mut world = settled(seed);
         let start = world.snapshot();
@@ -235,14 +233,14 @@ fn a_middle_block_yanked_at_5_m_s_overlaps_nothing_by_a_millimetre() {
 }
 
 #[test]
-fn input_that_makes_no_sense_is_passed_over() {
+fn invalid_input_is_ignored() {
     let mut world = World::new(&one(), awake()).unwrap();
     let mut same = world.clone();
     let hand = Hand { target: DVec3::NAN, ..pull(&world, 0, 0.0) };
     let drive = Drive { body: BodyId(7), velocity: DVec3::X, max_force: 1.0 };
-    let nonsense = Input { gravity: Some(DVec3::INFINITY), hand: Some(hand), drives: vec![drive], ..Input::default() };
+    let invalid = Input { gravity: Some(DVec3::INFINITY), hand: Some(hand), drives: vec![drive], ..Input::default() };
     for _ in 0..30 {
-        let report = world.step(&nonsense);
+        let report = world.step(&invalid);
         assert!(report.hand.is_none() && report.quarantined.is_empty());
         same.step(&Input::default());
     }

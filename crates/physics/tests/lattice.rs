@@ -1,4 +1,5 @@
-//! Blocks of particles and springs: they have the mechanics of rigid blocks where these have one, and become them as their springs stiffen.
+//! Lattice blocks: they obey the closed forms of rigid blocks, and converge to rigid blocks as
+//! their springs stiffen.
 
 mod common;
 
@@ -7,27 +8,28 @@ use glam::{DMat3, DVec3};
 use teeter_physics::{AppliedForce, BodyId, Drive, Hand, Input, Params, Precision, Twist, Width, World};
 use teeter_scene::{Form, NAMED, Particles, Scene, Springs, Stability, TowerOptions, tower};
 
-/// A scene with blocks of springs, as stiff as the contacts.
-fn springy(scene: Scene) -> Scene {
+/// Scene with lattice blocks, with springs as stiff as the contacts.
+fn lattice(scene: Scene) -> Scene {
     Scene { form: Form::Lattice, ..scene }
 }
 
-/// The same with springs of a given stiffness, N/m.
+/// Scene with lattice blocks, with springs of a given stiffness, N/m.
 fn springs_of(stiffness: f64, scene: Scene) -> Scene {
-    Scene { springs: Springs { stiffness: Some(stiffness), ..scene.springs }, ..springy(scene) }
+    Scene { springs: Springs { stiffness: Some(stiffness), ..scene.springs }, ..lattice(scene) }
 }
 
 fn corners(scene: Scene) -> Scene {
-    Scene { springs: Springs { particles: Particles::Corners, ..scene.springs }, ..springy(scene) }
+    Scene { springs: Springs { particles: Particles::Corners, ..scene.springs }, ..lattice(scene) }
 }
 
 fn in_space(scene: Scene) -> Scene {
     Scene { gravity: 0.0, ..scene }
 }
 
-/// Angular acceleration over torque along each axis of a block of springs, 1/(kg m²), from a torque that is applied as a pair of forces.
-fn turning_ease(scene: &Scene) -> DVec3 {
-    let mut ease = DVec3::ZERO;
+/// Angular acceleration over torque along each axis of a lattice block, 1/(kg m²), for a torque
+/// applied as a pair of forces.
+fn inverse_inertia(scene: &Scene) -> DVec3 {
+    let mut inverse = DVec3::ZERO;
     for k in 0..3 {
         let (along, across) = ((k + 1) % 3, (k + 2) % 3);
         let mut world = World::new(scene, Params { precision: Precision::Double, ..awake() }).unwrap();
@@ -36,26 +38,27 @@ fn turning_ease(scene: &Scene) -> DVec3 {
         force[across] = 1e-5;
         let pair = [1.0, -1.0].map(|side| AppliedForce { body: BodyId(0), point: arm * side, force: force * side });
         let input = Input { forces: pair.to_vec(), ..Input::default() };
-        // the force grows over the first frame; then the spin grows evenly
+        // The force grows over the first frame; then the spin grows linearly.
         run(&mut world, 1.0 / 60.0, &input);
         let before = motion(&world, 0).1[k];
         run(&mut world, 6.0 / 60.0, &input);
-        ease[k] = (motion(&world, 0).1[k] - before) / (6.0 / 60.0) / (2.0 * arm[along] * force[across]);
+        inverse[k] = (motion(&world, 0).1[k] - before) / (6.0 / 60.0) / (2.0 * arm[along] * force[across]);
     }
-    ease
+    inverse
 }
 
 #[test]
-fn a_block_is_as_hard_to_turn_as_a_uniform_cuboid() {
+fn a_block_has_the_inertia_of_a_uniform_cuboid() {
     let exact = inertia(SIZE, MASS);
-    let inside = turning_ease(&in_space(springy(blocks(&[[0.0, 0.0, 1.0]])))).recip() / exact;
+    let inside = inverse_inertia(&in_space(lattice(blocks(&[[0.0, 0.0, 1.0]])))).recip() / exact;
     assert!((inside - 1.0).abs().max_element() < 1e-6, "{inside}");
-    // as in the dissertation: every particle at a corner makes it three times as hard
-    let corner = turning_ease(&in_space(corners(blocks(&[[0.0, 0.0, 1.0]])))).recip() / exact;
+    // Particles at the corners, as in the dissertation, have three times the inertia.
+    let corner = inverse_inertia(&in_space(corners(blocks(&[[0.0, 0.0, 1.0]])))).recip() / exact;
     assert!((corner - 3.0).abs().max_element() < 3e-6, "{corner}");
 }
 
-/// Energy of motion (J) and angular momentum about the origin (kg m²/s) of one block, from its rigid motion.
+/// Kinetic energy (J) and angular momentum about the origin (kg m²/s) of a block, from its rigid
+/// motion.
 fn energy_and_momentum(world: &World) -> (f64, DVec3) {
     let (v, w) = motion(world, 0);
     let r = DMat3::from_quat(orientation(world, 0));
@@ -64,12 +67,12 @@ fn energy_and_momentum(world: &World) -> (f64, DVec3) {
 }
 
 #[test]
-fn a_tumbling_block_keeps_energy_and_angular_momentum() {
+fn a_tumbling_block_conserves_energy_and_angular_momentum() {
     for precision in [Precision::Single, Precision::Double] {
-        let scene = in_space(springy(blocks(&[[0.0, 0.0, 5.0]])));
+        let scene = in_space(lattice(blocks(&[[0.0, 0.0, 5.0]])));
         let mut world = World::new(&scene, Params { precision, ..awake() }).unwrap();
         world.set_twist(BodyId(0), Twist { velocity: DVec3::new(0.3, 0.2, 0.1), spin: DVec3::new(12.0, 14.0, 8.0) });
-        // the springs take up the spin, which costs some of it
+        // Energy goes into the springs first, as they adapt to the spin.
         run(&mut world, 0.1, &Input::default());
         let (energy, momentum) = energy_and_momentum(&world);
         run(&mut world, 1.0, &Input::default());
@@ -80,18 +83,18 @@ fn a_tumbling_block_keeps_energy_and_angular_momentum() {
 }
 
 #[test]
-fn a_block_falls_as_galileo_says_and_does_not_turn() {
-    let mut world = World::new(&springy(blocks(&[[0.0, 0.0, 10.0]])), Params { ramp: 0.0, ..awake() }).unwrap();
+fn a_block_in_free_fall_follows_a_parabola_without_rotation() {
+    let mut world = World::new(&lattice(blocks(&[[0.0, 0.0, 10.0]])), Params { ramp: 0.0, ..awake() }).unwrap();
     run(&mut world, 1.0, &Input::default());
     let (v, w) = motion(&world, 0);
     assert!((position(&world, 0) - DVec3::new(0.0, 0.0, 10.0 - 0.5 * G)).length() < 1e-9);
     assert!((v - DVec3::new(0.0, 0.0, -G)).length() < 1e-9 && w.length() < 1e-6, "{v} {w}");
 }
 
-/// Two blocks of springs collide in space: momentum and angular momentum go from one to the other.
+/// Two lattice blocks collide in space: their total momentum and angular momentum are conserved.
 #[test]
-fn a_collision_keeps_momentum_and_angular_momentum() {
-    let scene = in_space(springy(blocks(&[[0.0, 0.0, 1.0], [0.03, 0.012, 1.03]])));
+fn a_collision_conserves_momentum_and_angular_momentum() {
+    let scene = in_space(lattice(blocks(&[[0.0, 0.0, 1.0], [0.03, 0.012, 1.03]])));
     let mut world = World::new(&scene, Params { ramp: 0.0, ..awake() }).unwrap();
     world.set_twist(BodyId(1), Twist { velocity: DVec3::new(-0.2, 0.0, -0.5), spin: DVec3::new(1.0, -2.0, 3.0) });
     let sums = |world: &World| {
@@ -104,29 +107,29 @@ fn a_collision_keeps_momentum_and_angular_momentum() {
     let (p, l) = sums(&world);
     let report = run(&mut world, 0.25, &Input::default());
     let (p1, l1) = sums(&world);
-    assert!(motion(&world, 0).0.length() > 0.1, "they have met: {report:?}");
+    assert!(motion(&world, 0).0.length() > 0.1, "they have collided: {report:?}");
     assert!((p1 - p).length() < 1e-5 * p.length(), "{p} then {p1}");
-    // it is about the origin: what is lost is a part of the lever of 1 m
+    // About the origin: the error is relative to the lever arm of 1 m.
     assert!((l1 - l).length() < 1e-4 * l.length(), "{l} then {l1}");
 }
 
 #[test]
 fn blocks_slide_and_stay_as_rigid_ones_do() {
-    let mut world = World::new(&springy(one()), awake()).unwrap();
+    let mut world = World::new(&lattice(one()), awake()).unwrap();
     run(&mut world, 1.0, &tilted(0.399));
     let before = poses(&world);
     run(&mut world, 5.0, &tilted(0.399));
     let moved = displacement(&before, &world);
     assert!(moved < 1e-9, "{moved:e} m in 5 s");
 
-    let mut world = World::new(&springy(one()), awake()).unwrap();
+    let mut world = World::new(&lattice(one()), awake()).unwrap();
     let (distance, expected) = stopping_distance(&mut world);
     assert!((distance / expected - 1.0).abs() < 3e-3, "{distance} instead of {expected} m");
 }
 
 #[test]
 fn the_full_tower_of_springs_stands_without_sleep() {
-    let mut world = World::new(&springy(tower(&TowerOptions::default()).unwrap()), awake()).unwrap();
+    let mut world = World::new(&lattice(tower(&TowerOptions::default()).unwrap()), awake()).unwrap();
     run(&mut world, 2.0, &Input::default());
     let before = poses(&world);
     let report = run(&mut world, 8.0, &Input::default());
@@ -136,10 +139,11 @@ fn the_full_tower_of_springs_stands_without_sleep() {
     assert!(report.penetration < 5e-5, "penetration {:e} m", report.penetration);
 }
 
-/// Equal heights load every contact, and unequal masses excite them all: the explicit step is nearest its limit here, at both ends of the range
-/// of restitution, and where the springs or the contacts are what bounds it.
+/// Equal heights load every contact, and unequal masses excite them all: the explicit step is
+/// closest to its limit, at both ends of the range of restitution, and whether springs or contacts
+/// bound it.
 #[test]
-fn towers_of_equal_heights_do_not_hum() {
+fn towers_of_equal_heights_do_not_vibrate() {
     for (rows, restitution, stiffness) in [(6, 0.0, 1e6), (6, 0.6, 1e7), (12, 0.5, 1e6)] {
         let options = TowerOptions { rows, restitution, height_sd: 0.0, ..TowerOptions::default() };
         let mut world = World::new(&springs_of(stiffness, tower(&options).unwrap()), awake()).unwrap();
@@ -153,7 +157,7 @@ fn the_configurations_stand_or_fall_as_rigid_ones_do() {
     let mut judged = 0;
     for named in NAMED.iter().filter(|n| n.name.starts_with("test-") || n.name == "loose") {
         let Some(expected) = named.expect else { continue };
-        let mut world = World::new(&springy(named.scene()), awake()).unwrap();
+        let mut world = World::new(&lattice(named.scene()), awake()).unwrap();
         let before = poses(&world);
         run(&mut world, 4.0, &Input::default());
         assert_eq!(displacement(&before, &world) > 5e-3, expected == Stability::Unstable, "{}", named.name);
@@ -162,7 +166,7 @@ fn the_configurations_stand_or_fall_as_rigid_ones_do() {
     assert!(judged >= 6);
 }
 
-/// From jelly to twice wood: nothing runs away, and what is softer sinks further.
+/// From jelly to twice wood: nothing runs away, and softer towers sink more.
 #[test]
 fn the_whole_range_of_stiffness_is_stable() {
     let mut last = f64::INFINITY;
@@ -174,7 +178,7 @@ fn the_whole_range_of_stiffness_is_stable() {
         let sink = before - position(&world, 11).z;
         assert!(sink < last, "{stiffness:e} N/m: {sink} m, after {last} m");
         last = sink;
-        // a block is knocked out of the middle
+        // Knocks a block out of the middle.
         let push = Drive { body: BodyId(7), velocity: DVec3::new(3.0, 1.0, 0.0), max_force: 50.0 };
         run(&mut world, 0.1, &Input::drives(vec![push]));
         for _ in 0..6 {
@@ -186,7 +190,7 @@ fn the_whole_range_of_stiffness_is_stable() {
 
 /// Figure 6.21 of the dissertation: soft springs and a full tower.
 #[test]
-fn soft_springs_squash_a_full_tower_and_stiff_ones_do_not() {
+fn soft_springs_compress_a_full_tower_and_stiff_ones_do_not() {
     let sink = |stiffness: f64| {
         let mut world = World::new(&springs_of(stiffness, tower(&TowerOptions::default()).unwrap()), awake()).unwrap();
         let top = position(&world, 53).z;
@@ -198,7 +202,7 @@ fn soft_springs_squash_a_full_tower_and_stiff_ones_do_not() {
     assert!(stiff < 5e-4, "the top of the stiff tower is {stiff} m lower");
 }
 
-/// The rest pose of a tower comes to that of rigid blocks as the springs stiffen.
+/// The rest pose of a tower converges to that of rigid blocks as the springs stiffen.
 #[test]
 fn stiff_springs_rest_as_rigid_blocks_do() {
     let rest = |scene: &Scene| {
@@ -209,14 +213,14 @@ fn stiff_springs_rest_as_rigid_blocks_do() {
     let scene = tower(&TowerOptions { rows: 4, ..TowerOptions::exact() }).unwrap();
     let rigid = rest(&scene);
     let [soft, middle, stiff] = [1e5, 1e6, 1e7].map(|stiffness| rigid - rest(&springs_of(stiffness, scene.clone())));
-    // What springs give goes with one over their stiffness, but for how blocks share the load between them: the less that changes, the
-    // nearer to it.
+    // Sag is inversely proportional to the stiffness, except for the distribution of the load
+    // between blocks: the less that changes, the closer the ratio is to 10.
     let (coarse, fine) = ((soft / middle - 10.0).abs(), (middle / stiff - 10.0).abs());
     assert!(coarse < 0.5 && fine < 0.5 * coarse, "{soft} {middle} {stiff} m");
 }
 
-/// A block that lies too far out tips over as a rigid one does, the more nearly the stiffer its springs. Short frames keep the places at which
-/// both are synced, to the order of which they differ, out of it.
+/// An overhanging block tips over like a rigid one, and the difference vanishes as its springs
+/// stiffen. Frames are short so that rigid and lattice blocks are synced at the same times.
 #[test]
 fn stiff_springs_fall_as_rigid_blocks_do() {
     let fall = |scene: &Scene| {
@@ -233,10 +237,10 @@ fn stiff_springs_fall_as_rigid_blocks_do() {
 
 #[test]
 fn a_hand_pulls_a_loose_block_out() {
-    let mut world = World::new(&springy(teeter_scene::named("loose").unwrap()), awake()).unwrap();
+    let mut world = World::new(&lattice(teeter_scene::named("loose").unwrap()), awake()).unwrap();
     run(&mut world, 2.0, &Input::default());
     let before = poses(&world);
-    // the loose block of the top row but one, which is pulled along its axis
+    // The loose block of the row below the top, pulled along its axis.
     let body = 12;
     let axis = orientation(&world, body) * DVec3::X;
     let anchor = DVec3::new(0.0405, 0.0, 0.0);
@@ -272,11 +276,11 @@ fn a_running_tower_changes_its_form_without_a_jump() {
 }
 
 #[test]
-fn a_snapshot_holds_the_springs() {
-    let mut world = World::new(&springy(column(3)), awake()).unwrap();
+fn a_snapshot_contains_the_springs() {
+    let mut world = World::new(&lattice(column(3)), awake()).unwrap();
     run(&mut world, 0.2, &Input::default());
     let state = world.snapshot();
-    let mut other = World::new(&springy(column(3)), awake()).unwrap();
+    let mut other = World::new(&lattice(column(3)), awake()).unwrap();
     other.restore(&state).unwrap();
     assert_eq!(other.lattice(BodyId(1)), world.lattice(BodyId(1)));
     run(&mut world, 0.3, &Input::default());
@@ -296,7 +300,7 @@ fn a_snapshot_holds_the_springs() {
 fn all_widths_give_the_same_bits() {
     for precision in [Precision::Single, Precision::Double] {
         let hashes = [Width::Portable, Width::Sse2, Width::Avx2, Width::Avx512].map(|width| {
-            let scene = springy(tower(&TowerOptions { rows: 5, ..TowerOptions::default() }).unwrap());
+            let scene = lattice(tower(&TowerOptions { rows: 5, ..TowerOptions::default() }).unwrap());
             let mut world = World::new(&scene, Params { precision, width, ..awake() }).unwrap();
             run(&mut world, 0.4, &Input::default());
             let push = Drive { body: BodyId(7), velocity: DVec3::new(1.0, 0.5, 0.0), max_force: 50.0 };
@@ -307,10 +311,10 @@ fn all_widths_give_the_same_bits() {
     }
 }
 
-/// The weight above a block goes through it: what its springs push up is what it carries.
+/// The springs of a block carry the weight above it.
 #[test]
-fn the_springs_carry_what_stands_above() {
-    let mut world = World::new(&springy(column(4)), awake()).unwrap();
+fn the_springs_carry_the_weight_above() {
+    let mut world = World::new(&lattice(column(4)), awake()).unwrap();
     run(&mut world, 2.0, &Input::default());
     let report = world.lattice(BodyId(0)).unwrap();
     let mut n = 0;
@@ -320,7 +324,7 @@ fn the_springs_carry_what_stands_above() {
             let force = report.forces[n];
             n += 1;
             worst = worst.max(force.abs());
-            // from a lower to an upper particle
+            // From a lower to an upper particle.
             if (i ^ j) & 4 != 0 {
                 let along = (report.particles[j] - report.particles[i]).normalize();
                 up -= force * along.z;
@@ -328,8 +332,8 @@ fn the_springs_carry_what_stands_above() {
         }
     }
     assert!(worst > 0.01);
-    // particles inside carry the half of the block's own weight that is above the middle, and of what is above on a longer lever: the
-    // surfaces are √3 times as far apart as the particles
+    // The particles carry the weight above and the upper half of the block's own weight, on a
+    // longer lever arm: the surfaces are √3 times as far apart as the particles.
     let above = 3.0 * MASS * G;
     let own = MASS * G;
     let expected = 3f64.sqrt() * (above + own / 2.0);
@@ -338,10 +342,10 @@ fn the_springs_carry_what_stands_above() {
 
 #[test]
 fn a_column_is_pulled_apart_at_coulombs_force() {
-    // the fourth block slips with all that is above it
+    // The fourth block slips with all blocks above it.
     let pull = 0.4 * 7.0 * MASS * G;
     let moved = |share: f64| {
-        let mut world = World::new(&springy(column(10)), awake()).unwrap();
+        let mut world = World::new(&lattice(column(10)), awake()).unwrap();
         run(&mut world, 2.0, &Input::default());
         let start = position(&world, 3);
         for step in 0..180 {

@@ -1,4 +1,5 @@
-//! The state: snapshots continue bit for bit, sleep changes nothing that matters, bad constants are refused.
+//! State: snapshots continue bit for bit, sleep does not decide stability, constants out of range
+//! are refused.
 
 mod common;
 
@@ -11,26 +12,26 @@ fn small(seed: u64) -> Scene {
     tower(&TowerOptions { rows: 6, seed, ..TowerOptions::default() }).unwrap()
 }
 
-/// Something violent, so that all of the state is in use.
-fn yank(i: u32) -> Input {
+/// Violent input, so that all of the state is in use.
+fn violent(i: u32) -> Input {
     let drive = Drive { body: BodyId(4), velocity: DVec3::new(1.0, 1.0, 0.0), max_force: 50.0 };
     Input { drives: if (40..50).contains(&i) { vec![drive] } else { Vec::new() }, ..Input::default() }
 }
 
 #[test]
-fn a_restored_snapshot_goes_on_bit_for_bit() {
+fn a_restored_snapshot_continues_bit_for_bit() {
     for precision in [Precision::Single, Precision::Double] {
         let params = Params { precision, ..Params::default() };
         let mut world = World::new(&small(3), params).unwrap();
         for at in [0, 17, 45, 60] {
             let mut world = World::new(&small(3), params).unwrap();
-            (0..at).for_each(|i| drop(world.step(&yank(i))));
+            (0..at).for_each(|i| drop(world.step(&violent(i))));
             let bytes = world.snapshot();
             let mut other = World::new(&small(3), params).unwrap();
             other.restore(&bytes).unwrap();
             assert_eq!(other.hash(), world.hash());
             for i in at..at + 30 {
-                assert_eq!(world.step(&yank(i)), other.step(&yank(i)));
+                assert_eq!(world.step(&violent(i)), other.step(&violent(i)));
             }
             assert_eq!(world.hash(), other.hash());
             assert_eq!(world.poses(), other.poses());
@@ -50,7 +51,7 @@ fn a_restored_snapshot_goes_on_bit_for_bit() {
 fn the_same_inputs_give_the_same_hash() {
     let hash = || {
         let mut world = World::new(&small(5), Params::default()).unwrap();
-        (0..90).for_each(|i| drop(world.step(&yank(i))));
+        (0..90).for_each(|i| drop(world.step(&violent(i))));
         world.hash()
     };
     assert_eq!(hash(), hash());
@@ -64,14 +65,14 @@ fn a_tower_at_rest_sleeps_and_a_touch_wakes_it() {
     let before = poses(&world);
     assert_eq!(run(&mut world, 1.0, &Input::default()).awake, 0);
     assert_eq!(poses(&world), before);
-    assert_eq!(world.step(&yank(45)).awake, 18);
-    // it falls as one that never slept
-    run(&mut world, 0.3, &yank(45));
+    assert_eq!(world.step(&violent(45)).awake, 18);
+    // It falls like a tower that never slept.
+    run(&mut world, 0.3, &violent(45));
     assert!(displacement(&before, &world) > 0.05);
 }
 
 #[test]
-fn what_a_sleeper_rests_on_cannot_be_taken_away_unnoticed() {
+fn a_sleeping_block_wakes_when_its_support_is_removed() {
     let mut world = World::new(&column(3), Params::default()).unwrap();
     run(&mut world, 3.0, &Input::default());
     assert!((0..3).all(|i| world.is_asleep(BodyId(i))));
@@ -87,15 +88,16 @@ fn neighbours_that_do_not_touch_let_each_other_sleep() {
         World::new(&blocks(&[[0.0, 0.0, 0.009], [0.0, 0.026803, 0.009], [0.0, -0.026803, 0.009]]), Params::default())
             .unwrap();
     run(&mut world, 0.5, &Input::default());
-    // one comes to rest later than the others
+    // One comes to rest later than the others.
     world.set_twist(BodyId(0), Twist::linear(DVec3::new(0.05, 0.0, 0.0)));
     let report = run(&mut world, 3.0, &Input::default());
     assert_eq!(report.awake, 0);
 }
 
 #[test]
-fn sleep_never_stops_what_is_falling_slowly() {
-    // a block that stands on its end, out of balance by 10 um at the top: it stays below 0.05 m/s for most of a second
+fn sleep_never_stops_a_slow_fall() {
+    // A block on its end, out of balance by 10 um at the top, stays below 0.05 m/s for most of a
+    // second.
     let half = 0.0405;
     let scene = Scene {
         blocks: vec![teeter_scene::Block {
@@ -108,7 +110,7 @@ fn sleep_never_stops_what_is_falling_slowly() {
         ..one()
     };
     let mut world = World::new(&scene, Params::default()).unwrap();
-    // beyond the edge of its base by a hair
+    // Slightly beyond the edge of its base.
     let lean = 0.001 / half + 2e-4;
     world.set_orientation(BodyId(0), glam::DQuat::from_xyzw(0.0, lean / 2.0, 0.0, 1.0));
     run(&mut world, 6.0, &Input::default());
@@ -145,7 +147,8 @@ fn constants_out_of_range_are_refused_by_name() {
     }
 }
 
-/// Three times the stiffness sinks a third as far, in substeps that are shorter by its root; the snapshot holds none of it.
+/// Three times the stiffness gives a third of the sag, in substeps shorter by its root; the
+/// snapshot does not contain the stiffness.
 #[test]
 fn stiffness_is_that_of_the_scene() {
     let settled = |stiffness: f64| {

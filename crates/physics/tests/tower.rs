@@ -1,4 +1,5 @@
-//! Towers at rest: the full one for a minute, the dissertation's configurations, and 400 towers whose answer is known exactly.
+//! Towers at rest: the full tower for a minute, the configurations of the dissertation, and 400
+//! towers with exact labels.
 
 mod common;
 
@@ -20,8 +21,9 @@ fn the_full_tower_stands_a_minute_without_sleep() {
     assert!(report.penetration < 5e-5, "penetration {:e} m", report.penetration);
 }
 
-/// A loose block on top rocks from corner to corner while gravity grows. Found in it: a block that was taken for edge against edge as it rocked,
-/// with one point, went 0.5 mm into the row below with the other corner and was thrown off at 0.7 m/s.
+/// A loose block on top rocks from corner to corner during the ramp. If it were detected as edge
+/// against edge, with a single point, its other corner would penetrate the row below by 0.5 mm and
+/// the block be thrown off at 0.7 m/s.
 #[test]
 fn a_loose_block_that_rocks_is_not_thrown_off() {
     for taken in [12, 26, 32] {
@@ -35,9 +37,10 @@ fn a_loose_block_that_rocks_is_not_thrown_off() {
     }
 }
 
-/// Equal heights load every contact, and unequal masses excite them all: the explicit step is nearest its limit here.
+/// Equal heights load every contact, and unequal masses excite them all: the explicit step is
+/// closest to its limit.
 #[test]
-fn towers_of_equal_heights_do_not_hum() {
+fn towers_of_equal_heights_do_not_vibrate() {
     for (rows, restitution) in [(6, 0.0), (6, 0.6), (18, 0.0), (18, 0.5)] {
         let options = TowerOptions { rows, restitution, height_sd: 0.0, ..TowerOptions::default() };
         let mut world = World::new(&tower(&options).unwrap(), awake()).unwrap();
@@ -46,7 +49,7 @@ fn towers_of_equal_heights_do_not_hum() {
     }
 }
 
-/// Whether a block has moved by more than 5 mm or dropped by more than 3 mm after 5 s.
+/// Returns true if a block moves by more than 5 mm or drops by more than 3 mm within 5 s.
 fn falls(scene: &teeter_scene::Scene) -> bool {
     let mut world = World::new(scene, Params { sleep: false, ..Params::default() }).unwrap();
     let before = poses(&world);
@@ -70,7 +73,7 @@ fn the_configurations_of_the_dissertation_stand_or_fall_as_they_did() {
 }
 
 #[test]
-fn towers_with_exact_answers_are_judged_right() {
+fn towers_with_exact_labels_are_judged_right() {
     let path = concat!(env!("CARGO_MANIFEST_DIR"), "/../../data/oracle/config.jsonl.gz");
     let mut text = String::new();
     std::io::Read::read_to_string(&mut flate2::read::GzDecoder::new(std::fs::File::open(path).unwrap()), &mut text)

@@ -1,4 +1,4 @@
-//! Scenes and measures that several tests share.
+//! Scenes and measurements shared by the tests.
 #![allow(dead_code, reason = "each test file uses its own part")]
 
 use glam::{DQuat, DVec3};
@@ -7,11 +7,11 @@ use teeter_scene::{Block, Form, Scene, Springs};
 
 /// Standard gravity, m/s².
 pub const G: f64 = 9.81;
-/// The nominal block, m and kg.
+/// Size (m) and mass (kg) of the nominal block.
 pub const SIZE: [f64; 3] = [0.081, 0.0268, 0.018];
 pub const MASS: f64 = 0.0196;
 
-/// A scene of nominal blocks at the given centres, with friction 0.4.
+/// Scene of nominal blocks at the given centres (m), with friction 0.4.
 pub fn blocks(at: &[[f64; 3]]) -> Scene {
     let blocks = at.iter().enumerate().map(|(id, &pos)| Block { id: id as u32, size: SIZE, mass: MASS, pos, yaw: 0.0 });
     Scene {
@@ -30,27 +30,27 @@ pub fn blocks(at: &[[f64; 3]]) -> Scene {
     }
 }
 
-/// One block lying on the floor.
+/// Scene of a single block lying on the floor.
 pub fn one() -> Scene {
     blocks(&[[0.0, 0.0, 0.009]])
 }
 
-/// `n` blocks one on another.
+/// Scene of `n` blocks stacked on each other.
 pub fn column(n: usize) -> Scene {
     blocks(&(0..n).map(|i| [0.0, 0.0, 0.009 + 0.018 * i as f64]).collect::<Vec<_>>())
 }
 
-/// Awake throughout.
+/// Parameters without sleep.
 pub fn awake() -> Params {
     Params { sleep: false, ..Params::default() }
 }
 
-/// Both number formats, awake throughout.
+/// Parameters without sleep, in both number formats.
 pub fn both() -> [Params; 2] {
     [Precision::Single, Precision::Double].map(|precision| Params { precision, ..awake() })
 }
 
-/// Steps for `seconds` with the same input; the last report.
+/// Steps for `seconds` with the same input; returns the last report.
 pub fn run(world: &mut World, seconds: f64, input: &Input) -> StepReport {
     let mut report = StepReport::default();
     for _ in 0..(seconds / world.params().frame).round() as usize {
@@ -81,13 +81,13 @@ pub fn motion(world: &World, body: usize) -> (DVec3, DVec3) {
     (velocity, spin)
 }
 
-/// Largest distance of any centre from where it was, m.
+/// Largest displacement of a centre since the poses `before`, m.
 pub fn displacement(before: &[Pose], world: &World) -> f64 {
     let moved = |i: usize| (position(world, i) - before[i].position).length();
     (0..world.len()).map(moved).fold(0.0, f64::max)
 }
 
-/// Gravity on a ground that leans by an angle of this tangent towards x.
+/// Gravity on a ground tilted towards x by an angle of this tangent.
 pub fn tilted(tangent: f64) -> Input {
     let c = 1.0 / (1.0 + tangent * tangent).sqrt();
     Input::gravity(DVec3::new(G * tangent * c, 0.0, -G * c))
@@ -99,7 +99,8 @@ pub fn inertia(size: [f64; 3], mass: f64) -> DVec3 {
     DVec3::new(y + z, z + x, x + y) * (mass / 12.0)
 }
 
-/// How far the only block of a world slides from 0.5 m/s, once it has settled, m; and how far Coulomb says, with friction 0.4.
+/// Distance that the only block of a world slides from 0.5 m/s after settling, m, and the distance
+/// by Coulomb's law with friction 0.4.
 pub fn stopping_distance(world: &mut World) -> (f64, f64) {
     run(world, 1.0, &Input::default());
     let start = position(world, 0);

@@ -1,4 +1,5 @@
-//! A block that a hand lets go close above another must land on it. Found in it: a block that fell into the one below within a frame and was thrown out at 5 m/s.
+//! Release of a block close above another: it lands there. Without detection in time it would fall
+//! into the other block within a frame and be thrown out at 5 m/s.
 
 mod common;
 
@@ -7,7 +8,7 @@ use glam::DVec3;
 use teeter_physics::{BodyId, Hand, Input, World};
 
 #[test]
-fn a_block_let_go_close_above_another_lands_on_it() {
+fn a_block_released_close_above_another_lands_on_it() {
     for params in both() {
         for gap in [1e-5, 5e-5, 2e-4, 1e-3] {
             let mut world = World::new(&blocks(&[[0.0, 0.0, 0.009], [0.0, 0.0, 0.057]]), params).unwrap();

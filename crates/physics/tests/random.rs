@@ -1,5 +1,5 @@
-//! Whatever is built and done, the state stays finite, goes on from a snapshot as it would have, and is the same in registers of any
-//! width.
+//! Random scenes and inputs: the state stays finite, continues from a snapshot, and is the same in
+//! registers of any width.
 
 mod common;
 
@@ -18,7 +18,7 @@ fn any_form() -> impl Strategy<Value = (Form, Springs)> {
     prop_oneof![2 => Just((Form::Rigid, Springs::default())), 1 => lattice]
 }
 
-/// Some small towers, with blocks of any size in the air above and beside them.
+/// Small towers, with blocks of any size in the air above and beside them.
 fn any_scene() -> impl Strategy<Value = Scene> {
     let loose =
         (prop::array::uniform3(0.01..0.08f64), 0.005..0.05f64, prop::array::uniform2(-0.5..0.5f64), 0.0..3.0f64);
@@ -42,7 +42,7 @@ fn any_vector(reach: f64) -> impl Strategy<Value = DVec3> {
     prop::array::uniform3(-reach..reach).prop_map(DVec3::from)
 }
 
-/// What acts for some frames on whichever body has the number, counted round.
+/// Input for some frames; the body is the index modulo the number of bodies.
 #[derive(Debug, Clone)]
 enum Act {
     Nothing,

@@ -1,4 +1,4 @@
-//! The force that starts a block sliding, in single precision against double: from one settled tower, both feel the same.
+//! Breakaway force of blocks of a settled tower, in single precision compared with double.
 
 mod common;
 
@@ -7,8 +7,9 @@ use glam::DVec3;
 use teeter_physics::{AppliedForce, BodyId, Input, Params, Precision, World};
 use teeter_scene::{TowerOptions, tower};
 
-/// The force along the block's long axis at which it has moved by 0.5 mm, grown by 0.25 N/s, N.
-fn starts_at(world: &mut World, body: usize) -> f64 {
+/// Force along the block's long axis at which it has moved by 0.5 mm, N; the force grows by 0.25
+/// N/s.
+fn breakaway_force(world: &mut World, body: usize) -> f64 {
     let axis = orientation(world, body) * DVec3::X;
     let start = position(world, body);
     let mut force = 0.0;
@@ -22,7 +23,7 @@ fn starts_at(world: &mut World, body: usize) -> f64 {
 }
 
 #[test]
-fn single_precision_feels_the_forces_of_double() {
+fn single_precision_has_the_breakaway_forces_of_double() {
     let scene = tower(&TowerOptions::default()).unwrap();
     let [single, double] = [Precision::Single, Precision::Double]
         .map(|precision| World::new(&scene, Params { sleep: false, precision, ..Params::default() }).unwrap());
@@ -34,10 +35,10 @@ fn single_precision_feels_the_forces_of_double() {
         let [one, other] = [&single, &double].map(|world| {
             let mut world = world.clone();
             world.restore(&state).unwrap();
-            starts_at(&mut world, body)
+            breakaway_force(&mut world, body)
         });
         loose += usize::from(other < 0.15);
-        // a frame more or less is 0.004 N
+        // One frame is 0.004 N.
         assert!((one - other).abs() < 0.01, "block {body}: {one} N and {other} N");
     }
     assert!((1..8).contains(&loose), "{loose} of the blocks are loose");
