@@ -24,7 +24,7 @@ pub const CROSSED_MOBILITY: f64 = 4.56;
 pub const NOMINAL_MASS: f64 = 0.0196;
 /// Factor by which the strain of a block accelerates more slowly than its particles alone would.
 ///
-/// Forces accelerate a block as a whole without it, so statics and rigid motion stay exact; a block
+/// The motion of a block as a whole is unaffected, so statics and rigid motion stay exact; a block
 /// then vibrates at a third of its own rate, which is beyond hearing for wood. Without the factor
 /// the mobility of a corner would be 10 / m, against 6 / m of a rigid block, and the substep 0.6
 /// times as long.

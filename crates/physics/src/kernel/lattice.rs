@@ -326,8 +326,8 @@ impl<R: Real> Lattice<R> {
     #[inline(always)]
     fn reduce_strain<L: Lanes<Scalar = R>>(&self, part: usize, along: &mut [[L; 3]; 3]) {
         let edge = [load3::<L>(&self.edge[0], part), load3::<L>(&self.edge[1], part), load3::<L>(&self.edge[2], part)];
-        // The common rotation β (h² times half the angular acceleration) solves Σ e × x = Σ e × (β
-        // × e).
+        // The common rotation β, h² times half the angular acceleration, solves
+        // Σ e × x = Σ e × (β × e).
         let (x, y, z) = (cross(&edge[0], &along[0]), cross(&edge[1], &along[1]), cross(&edge[2], &along[2]));
         let torque = [x[0] + y[0] + z[0], x[1] + y[1] + z[1], x[2] + y[2] + z[2]];
         let inv = load3::<L>(&self.inv_rotation, part);

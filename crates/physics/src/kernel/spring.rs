@@ -10,9 +10,11 @@ use crate::simd::lanes::Lanes;
 /// (m²), which the next substep passes as `before`.
 ///
 /// The strain is (L² − L₀²) / 2 = (rest + d / 2) · d with d = b − a: it needs no root, has no
-/// cancellation and is exact for any rotation. The force acts along the spring, (stiffness · strain
-/// − damping · before) times its length. With stiffness k (1 + β) / L₀², damping k β / L₀² and β =
-/// c / (k h), it equals Eq. 4.1 to 4.3 of the dissertation to first order of the strain.
+/// cancellation and is exact for any rotation. The force acts along the spring and is its length
+/// times (stiffness · strain − damping · before).
+///
+/// With stiffness k (1 + β) / L₀², damping k β / L₀² and β = c / (k h), the force equals Eq. 4.1 to
+/// 4.3 of the dissertation to first order of the strain.
 #[inline(always)]
 pub fn spring<L: Lanes>([a, b]: [&[L; 3]; 2], rest: &[L; 3], (stiffness, damping): (L, L), before: L) -> ([L; 3], L) {
     let half = L::splat_f64(0.5);
