@@ -1,4 +1,4 @@
-//! Has the program built again when the page was.
+//! Rebuilds the program when the page was rebuilt.
 
 fn main() {
     println!("cargo::rerun-if-changed=build.rs");

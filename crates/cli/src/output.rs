@@ -1,28 +1,29 @@
-//! Standard output, whose reader may leave, and bars of progress on standard error.
+//! Standard output and warnings.
 
 use std::io::{self, Write};
 
-use indicatif::{ProgressBar, ProgressStyle};
-
-use crate::fault::Fault;
+use crate::error::Error;
 
 /// Writes a line to standard output.
-pub fn line(text: &str) -> Result<(), Fault> {
+pub fn line(text: &str) -> Result<(), Error> {
     let mut out = io::stdout().lock();
-    writeln!(out, "{text}").and_then(|()| out.flush()).map_err(|e| match e.kind() {
-        io::ErrorKind::BrokenPipe => Fault::ReaderGone,
-        _ => Fault::Said(format!("standard output cannot be written: {e}")),
+    writeln!(out, "{text}").and_then(|()| out.flush()).map_err(|error| match error.kind() {
+        io::ErrorKind::BrokenPipe => Error::StdoutClosed,
+        _ => Error::Stdout(error),
     })
 }
 
-/// A bar of `length` steps on standard error; nothing is drawn where that is no terminal.
-pub fn progress(length: u64, unit: &str) -> ProgressBar {
-    let style = ProgressStyle::with_template(&format!("{{wide_bar}} {{pos}} of {{len}} {unit}, {{eta}} left"))
-        .expect("the template is one of indicatif's own forms");
-    ProgressBar::new(length).with_style(style)
+/// Writes a value to standard output as one line of JSON.
+pub fn json(value: &impl serde::Serialize) -> Result<(), Error> {
+    line(&to_json(value))
 }
 
-/// The bytes of a value as JSON on one line.
-pub fn json(value: &impl serde::Serialize) -> String {
-    serde_json::to_string(value).expect("plain data has JSON, and writing to memory does not fail")
+/// Returns a value as one line of JSON.
+pub fn to_json(value: &impl serde::Serialize) -> String {
+    serde_json::to_string(value).expect("the values are plain data, and memory can be written")
+}
+
+/// Writes a warning to standard error.
+pub fn warn(message: &str) {
+    eprintln!("teeter: {message}");
 }

@@ -1,24 +1,59 @@
 //! Errors of the reports.
 
-use std::fmt::Display;
+use std::io;
+use std::path::PathBuf;
 
-/// Why a report was not written.
+use teeter_dissertation::jenga3d;
+use teeter_physics::BuildError;
+use teeter_scene::SceneError;
+use teeter_study::LimitError;
+
+use crate::score::LabelledError;
+
+/// Error of measuring or of writing a report.
 #[derive(Debug, thiserror::Error)]
 pub enum Error {
-    /// One line in the user's words.
-    #[error("{0}")]
-    Said(String),
-}
-
-impl Error {
-    /// An error in `place`, a file or a line of it.
-    pub fn at(place: &str, message: impl Display) -> Self {
-        Error::Said(format!("{place}: {message}"))
-    }
-}
-
-impl From<&str> for Error {
-    fn from(message: &str) -> Self {
-        Error::Said(message.to_owned())
-    }
+    /// A built-in scene that the engine refuses.
+    #[error("a scene of the report cannot be built: {0}")]
+    Build(#[from] BuildError),
+    /// A built-in scene that the simulator of the dissertation refuses.
+    #[error("a scene of the report cannot be built: {0}")]
+    Springs(#[from] jenga3d::BuildError),
+    /// A built-in scene that is not valid.
+    #[error("a scene of the report is not valid: {0}")]
+    Scene(#[from] SceneError),
+    /// A built-in scene without an exact answer.
+    #[error("a scene of the report has no exact answer: {0}")]
+    Exact(#[from] LimitError),
+    /// Labelled towers that cannot be read.
+    #[error(transparent)]
+    Labelled(#[from] LabelledError),
+    /// Name of no built-in scene.
+    #[error("there is no scene `{0}`")]
+    UnknownScene(String),
+    /// A real tower that the engine refuses.
+    #[error("the tower of the data sheet cannot be built: {0}")]
+    RealTower(BuildError),
+    /// A data sheet without a single measured force.
+    #[error("the data sheet has no pulls to compare")]
+    NoPulls,
+    /// An output folder that cannot be created.
+    #[error("{}: this folder cannot be made: {source}", path.display())]
+    CreateFolder {
+        /// Path of the folder.
+        path: PathBuf,
+        /// Cause.
+        source: io::Error,
+    },
+    /// An output file that cannot be written.
+    #[error("{}: cannot be written: {source}", path.display())]
+    WriteFile {
+        /// Path of the file.
+        path: PathBuf,
+        /// Cause.
+        source: io::Error,
+    },
+    /// A thread pool that cannot be started.
+    #[error("threads cannot be started: {0}")]
+    Threads(#[from] rayon::ThreadPoolBuildError),
 }

@@ -1,32 +1,30 @@
-//! Towers with known answers: one scene in JSON a line, packed by gzip or not.
+//! Towers with known answers: a JSON scene a line, compressed by gzip or not.
 
-use std::io::{BufRead, BufReader, Read};
+use std::io::{self, BufRead, BufReader, Read};
 
 use flate2::bufread::MultiGzDecoder;
 use serde::Deserialize;
 use teeter_scene::{MAX_BYTES, Scene, SceneError};
 
-use crate::error::Error;
+/// Maximum size of all lines together, unpacked, bytes: a small compressed file can hold any number of them.
+pub const MAX_UNPACKED: u64 = 1_000_000_000;
 
-/// Most bytes of all lines together, unpacked: a small packed file can hold any number of them.
-pub const MAX_TOTAL: u64 = 1_000_000_000;
-
-/// A scene and what is known of it.
+/// Scene with its exact answer.
 #[derive(Debug)]
 pub struct Labelled {
-    /// The scene.
+    /// Scene.
     pub scene: Scene,
-    /// The exact answer to the question of tilt, where the scene asks it and knows it.
+    /// Exact answer about its tilt.
     pub truth: Truth,
 }
 
-/// What the labels say of a tilted tower.
+/// Exact answer about a tilted tower.
 #[derive(Debug, Clone, Default, Deserialize)]
 #[serde(default)]
 pub struct Truth {
-    /// Least angle at which rigid blocks can no longer rest, degrees.
+    /// Minimum angle at which rigid blocks can no longer rest, degrees.
     pub tilt_deg: Option<f64>,
-    /// Whether the answer depends on contact between the sides of neighbours.
+    /// True when the answer depends on contact between the sides of neighbours.
     pub side_sensitive: bool,
 }
 
@@ -36,48 +34,98 @@ struct Extra {
     truth: Option<Truth>,
 }
 
-/// Reads all scenes of a source; `name` is its name for messages.
-pub fn read(reader: impl Read + 'static, name: &str) -> Result<Vec<Labelled>, Error> {
-    let mut packed = BufReader::new(reader);
-    let start = packed.fill_buf().map_err(|e| Error::at(name, e))?;
-    let is_gzip = start.starts_with(&[0x1f, 0x8b]);
-    let plain: Box<dyn Read> = if is_gzip { Box::new(MultiGzDecoder::new(packed)) } else { Box::new(packed) };
-    let mut lines = BufReader::new(plain.take(MAX_TOTAL + 1));
-    let mut scenes = Vec::new();
-    let mut total = 0;
-    let mut bytes = Vec::new();
-    for number in 1.. {
-        let at = |message: &dyn std::fmt::Display| Error::at(&format!("{}, line {number}", name), message);
-        bytes.clear();
-        let length = lines.by_ref().take(MAX_BYTES + 1).read_until(b'\n', &mut bytes).map_err(|e| at(&e))? as u64;
-        if length == 0 {
-            break;
-        }
-        total += length;
-        if length > MAX_BYTES {
-            return Err(at(&SceneError::TooLarge { limit_mb: MAX_BYTES / 1_000_000 }));
-        }
-        if total > MAX_TOTAL {
-            return Err(Error::at(
-                name,
-                format!("more than {} MB unpacked, the most that is read", MAX_TOTAL / 1_000_000),
-            ));
-        }
-        let text = std::str::from_utf8(&bytes).map_err(|e| at(&SceneError::NotUtf8(e.valid_up_to())))?;
-        if text.trim().is_empty() {
-            continue;
-        }
-        scenes.push(parse(text).map_err(|e| at(&e))?);
-    }
-    if scenes.is_empty() {
-        return Err(Error::at(name, "no scenes, expected one JSON object a line"));
-    }
-    Ok(scenes)
+/// Error of reading labelled towers. `name` is that of the file or stream.
+#[derive(Debug, thiserror::Error)]
+pub enum LabelledError {
+    /// Failure of the reader.
+    #[error("{name}: {source}")]
+    Read {
+        /// Name of the input.
+        name: String,
+        /// Cause.
+        source: io::Error,
+    },
+    /// Line that is not a labelled scene.
+    #[error("{name}, line {line}: {source}")]
+    Line {
+        /// Name of the input.
+        name: String,
+        /// Line, from 1.
+        line: usize,
+        /// Cause.
+        source: LineError,
+    },
+    /// Input above the limit of size.
+    #[error("{name}: more than {} MB unpacked, the most that is read", MAX_UNPACKED / 1_000_000)]
+    TooLarge {
+        /// Name of the input.
+        name: String,
+    },
+    /// Input without a scene.
+    #[error("{name}: no scenes, expected one JSON object a line")]
+    Empty {
+        /// Name of the input.
+        name: String,
+    },
 }
 
-/// The scene on a line, and what is known of it; what is wrong with it otherwise.
-pub fn parse(text: &str) -> Result<Labelled, String> {
-    let scene = Scene::from_json(text).map_err(|e| e.to_string())?;
-    let extra: Extra = serde_json::from_str(text).map_err(|e| format!("`truth`: {e}"))?;
+/// Error of a line.
+#[derive(Debug, thiserror::Error)]
+pub enum LineError {
+    /// Failure of the reader.
+    #[error(transparent)]
+    Read(#[from] io::Error),
+    /// Invalid scene.
+    #[error(transparent)]
+    Scene(#[from] SceneError),
+    /// Invalid answer.
+    #[error("`truth`: {0}")]
+    Truth(#[from] serde_json::Error),
+}
+
+/// Reads all scenes of an input; `name` names it in errors.
+///
+/// # Errors
+/// When the input cannot be read or is too large, and when one of its lines is not a scene.
+pub fn read(reader: impl Read + 'static, name: &str) -> Result<Vec<Labelled>, LabelledError> {
+    let name = || name.to_owned();
+    let mut packed = BufReader::new(reader);
+    let start = packed.fill_buf().map_err(|source| LabelledError::Read { name: name(), source })?;
+    let is_gzip = start.starts_with(&[0x1f, 0x8b]);
+    let plain: Box<dyn Read> = if is_gzip { Box::new(MultiGzDecoder::new(packed)) } else { Box::new(packed) };
+    let mut lines = BufReader::new(plain.take(MAX_UNPACKED + 1));
+    let (mut scenes, mut total) = (Vec::new(), 0);
+    for line in 1.. {
+        let at = |source| LabelledError::Line { name: name(), line, source };
+        let Some(bytes) = next_line(&mut lines).map_err(at)? else { break };
+        total += bytes.len() as u64;
+        if total > MAX_UNPACKED {
+            return Err(LabelledError::TooLarge { name: name() });
+        }
+        let text = std::str::from_utf8(&bytes).map_err(|e| at(SceneError::NotUtf8(e.valid_up_to()).into()))?;
+        if !text.trim().is_empty() {
+            scenes.push(parse(text).map_err(at)?);
+        }
+    }
+    if scenes.is_empty() { Err(LabelledError::Empty { name: name() }) } else { Ok(scenes) }
+}
+
+/// Bytes of the next line with its end; none at the end of the input.
+fn next_line(lines: &mut impl BufRead) -> Result<Option<Vec<u8>>, LineError> {
+    let mut bytes = Vec::new();
+    let length = lines.take(MAX_BYTES + 1).read_until(b'\n', &mut bytes)? as u64;
+    if length > MAX_BYTES {
+        return Err(SceneError::TooLarge { limit_mb: MAX_BYTES / 1_000_000 }.into());
+    }
+    Ok((length > 0).then_some(bytes))
+}
+
+/// Parses a line.
+///
+/// # Errors
+/// When the line is not a scene, or its answer is not one.
+pub fn parse(text: &str) -> Result<Labelled, LineError> {
+    let scene = Scene::from_json(text)?;
+    let extra: Extra = serde_json::from_str(text)?;
     Ok(Labelled { scene, truth: extra.truth.unwrap_or_default() })
 }

@@ -1,7 +1,7 @@
-//! Labelled towers, and how predictions compare with their labels.
+//! Labelled towers, and comparison of predictions with their labels.
 
 mod labelled;
 mod summary;
 
-pub use labelled::{Labelled, MAX_TOTAL, Truth, parse, read};
-pub use summary::{Summary, quantile};
+pub use labelled::{Labelled, LabelledError, LineError, MAX_UNPACKED, Truth, parse, read};
+pub use summary::Summary;

@@ -1,39 +1,41 @@
-//! `teeter validate`: everything that is known exactly, or by measurement, against what the engine does; one page with figures and plots.
+//! Report on the engine against exact mechanics and against measurements of real towers.
 
-mod html;
-mod plot;
-mod real;
+mod data_sheet;
+mod real_tower;
 mod section;
-mod stats;
+mod size;
 mod topics;
 
-use std::fs;
 use std::path::Path;
 
+use maud::html;
 use serde_json::{Value, json};
+use teeter_scene::Form;
 
-use crate::error::Error;
-pub use real::{Sheet, parse};
-pub use section::{Options, Section, Size};
+pub use data_sheet::{DataSheet, DataSheetError};
+pub use section::{Figure, Section};
+pub use size::{Options, Size};
 pub use topics::Topic;
 
-/// Measures what was asked for and writes `validation.html` and `validation.json` into the folder.
-pub fn run(out: &Path, size: &Size, only: &[Topic], real: Option<&Sheet>) -> Result<Vec<Section>, Error> {
-    fs::create_dir_all(out)
-        .map_err(|e| Error::at(&out.display().to_string(), format!("cannot be made a folder: {e}")))?;
-    // a data sheet alone asks for nothing else
-    let topics: Vec<Topic> = match (only, real) {
-        ([], Some(_)) => Vec::new(),
-        ([], None) => Topic::ALL.to_vec(),
-        (only, _) => Topic::ALL.into_iter().filter(|t| only.contains(t)).collect(),
-    };
+use crate::error::Error;
+use crate::output::{create_folder, write_file};
+use crate::page::Page;
+
+/// Measures `topics`, all where none is named, and writes `validation.html` and `validation.json` into a folder.
+/// With a data sheet only the real tower and the topics named are measured.
+///
+/// # Errors
+/// When a scene cannot be built, the sheet has no measured forces, or a file cannot be written.
+pub fn run(out: &Path, size: &Size, topics: &[Topic], sheet: Option<&DataSheet>) -> Result<Vec<Section>, Error> {
+    create_folder(out)?;
+    let all = topics.is_empty() && sheet.is_none();
     let mut sections: Vec<Section> = Vec::new();
-    if let Some(sheet) = real {
-        sections.push(real::section(sheet, size)?);
+    if let Some(sheet) = sheet {
+        sections.push(real_tower::measure(sheet)?);
     }
-    for topic in topics {
+    for topic in Topic::ALL.into_iter().filter(|topic| all || topics.contains(topic)) {
         sections.push(topic.measure(size)?);
-        // written after each, so that a run that is cut short leaves what it has
+        // After each topic, so that an interrupted run leaves what it has measured.
         write(out, size, &sections)?;
     }
     write(out, size, &sections)?;
@@ -41,15 +43,32 @@ pub fn run(out: &Path, size: &Size, only: &[Topic], real: Option<&Sheet>) -> Res
 }
 
 fn write(out: &Path, size: &Size, sections: &[Section]) -> Result<(), Error> {
-    let all: Value = json!({
+    let data: Value = json!({
         "version": env!("CARGO_PKG_VERSION"),
         "size": size,
         "sections": sections.iter().map(Section::json).collect::<Vec<_>>(),
     });
-    let save = |name: &str, text: String| {
-        let file = out.join(name);
-        fs::write(&file, text).map_err(|e| Error::at(&file.display().to_string(), format!("cannot be written: {e}")))
+    let text = serde_json::to_string_pretty(&data).expect("the data are strings, numbers and lists") + "\n";
+    write_file(&out.join("validation.json"), &text)?;
+    write_file(&out.join("validation.html"), &page(size, sections).html())
+}
+
+fn page(size: &Size, sections: &[Section]) -> Page {
+    let form = match size.form {
+        Form::Rigid => "rigid",
+        Form::Lattice => "lattice",
     };
-    save("validation.json", serde_json::to_string_pretty(&all).expect("plain data has JSON") + "\n")?;
-    save("validation.html", html::page(size, sections))
+    let introduction = html! {
+        p {
+            "Version " (env!("CARGO_PKG_VERSION")) ", " (size.towers) " towers of " (size.rows) " rows of each kind from seed "
+            (size.seed) ", " (form) " blocks"
+            @if size.quick { ", the small size that only shows that everything runs" }
+            ". Nothing sleeps. All figures are in " a href="validation.json" { "validation.json" } "."
+        }
+        table.words {
+            thead { tr { th { "figure" } th { "measured" } th { "goal" } th {} } }
+            @for section in sections { (section.summary()) }
+        }
+    };
+    Page { title: "Teeter: validation".into(), introduction, sections: sections.iter().map(Section::html).collect() }
 }

@@ -1,153 +1,165 @@
-//! The force map against rigid blocks, and how it comes nearer with stiffness.
+//! Breakaway forces against rigid blocks, and their convergence with contact stiffness.
 
 use serde_json::json;
-use teeter_scene::Scene;
 use teeter_study::{BlockForces, Breakaway, force_map};
 
-use super::super::plot::{Axis, Plot, Series};
-use super::super::section::{Section, Size, params};
-use super::super::stats::{correlation, mean, percent, quantile};
-use super::built;
+use crate::chart::{Axis, Chart, Series};
 use crate::error::Error;
-use crate::progress;
+use crate::output::progress;
+use crate::statistics::{correlation, mean, percent, quantile};
+use crate::validation::section::Section;
+use crate::validation::size::{Size, params};
 
-/// A block that starts below this is found loose, N.
-const FOUND: f64 = 0.1;
+/// Breakaway force below which a block counts as loose, N.
+const LOOSE: f64 = 0.1;
 
-/// Measures it.
+/// Measures the breakaway force of each block of several towers.
 pub fn measure(size: &Size) -> Result<Section, Error> {
     let mut section = Section::new(
         "forces",
-        "The force that starts each block",
-        "Each block of a settled tower is pulled both ways along its length by a force that grows slowly; the last states before it slides are tried again \
-         with the force held still, so that inertia does not count. Rigid blocks give three forces from the same normal forces: sliding straight; with what lies \
-         above turning; and the one at which the tower rocks instead. The answer is exact where the first two agree within 1 % and the tower does not rock \
-         before, and where contacts of the scene's stiffness, at rest, say the same as rigid ones; elsewhere the engine is held against the range from turning to straight. A block leans with the tower, so its two directions differ by twice its weight \
-         times the slope: the mean of both is compared.",
+        "Breakaway force of each block",
+        "Each block of a settled tower is pulled both ways along its length by a force that grows slowly; the last states before it slides are \
+         tried again with the force constant, so that inertia does not count. Rigid blocks give three forces from the same normal forces: sliding \
+         straight; with the tower above turning; and the one at which the tower rocks instead. The answer is exact where the first two agree \
+         within 1 % and the tower does not rock before, and where contacts of the scene's stiffness, at rest, give the same as rigid ones; \
+         elsewhere the engine is compared with the range from turning to straight. A block leans with the tower, so its two directions differ \
+         by twice its weight times the slope: the mean of both is compared.",
     );
     let stiffest = if size.quick { 1e6 } else { 3e6 };
-    let all = maps(size, size.towers, stiffest)?;
-    let exact: Vec<(f64, f64)> =
-        all.iter().filter_map(|b| exact_of(b).zip(middle(b)).map(|(e, f)| (e.straight_n, f))).collect();
-    let errors: Vec<f64> = exact.iter().map(|(e, f)| (e - f).abs()).collect();
-    let tight: Vec<(f64, f64)> = exact.iter().copied().filter(|p| p.0 > FOUND).collect();
-    let (found, loose) = loose_found(&all);
-    let r = correlation(&exact);
-    section.goal("force map where exact: correlation", format!("{r:.5}"), "0.995", r >= 0.995);
-    section.goal("loose blocks found below 0.1 N", format!("{found} of {loose}"), "every one", found == loose);
-    section.goal(
-        "force map where exact: mean error",
-        format!("{:.4} N", mean(&errors)),
-        "0.02 N",
-        mean(&errors) <= 0.02,
-    );
-    section.say("the same, 95 % within", format!("{:.4} N", quantile(&errors, 0.95)));
-    section
-        .say("blocks with an exact answer", format!("{} of {}, {} of them tight", exact.len(), all.len(), tight.len()));
-    section.say(
-        "tight ones among them: correlation, mean error",
-        format!(
-            "{:.5}, {:.4} N",
-            correlation(&tight),
-            mean(&tight.iter().map(|(e, f)| (e - f).abs()).collect::<Vec<_>>())
-        ),
-    );
-    // heights within what contacts give: the straight answer of springs of the same stiffness in place of that of rigid blocks
-    let close: Vec<(f64, f64)> = all
-        .iter()
-        .filter(|b| !b.is_generic() && loose_by_rigid(b))
-        .filter_map(|b| b.on_springs_n.zip(middle(b)))
-        .collect();
-    section.say(
-        "blocks that only rigid blocks call loose, for heights differ by less than contacts give: straight pull on springs at rest, and measured",
-        if close.is_empty() { "none".into() } else { close.iter().map(|(s, f)| format!("{s:.3} N, {f:.3} N")).collect::<Vec<_>>().join("; ") },
-    );
-    let turning: Vec<(f64, f64)> = all
-        .iter()
-        .filter_map(|b| b.exact.filter(|e| !e.is_exact() && !e.rocks()).zip(middle(b)).map(|(e, f)| (e.turning_n, f)))
-        .collect();
-    let off: Vec<f64> = turning.iter().map(|(e, f)| (e - f).abs()).collect();
-    section.say(
-        "tight blocks whose tower turns: correlation and mean distance from the turning answer",
-        format!("{:.4}, {:.3} N over {} blocks", correlation(&turning), mean(&off), turning.len()),
-    );
-    let rocking = percent(&all, |b| b.exact.is_some_and(|e| e.rocks()));
-    section.say("blocks for which the tower rocks before they slide straight", format!("{rocking:.0} %"));
-
-    let mut errors_of = Series { name: "where exact".into(), line: true, ..Series::default() };
-    let mut turning_of = Series { name: "turning".into(), line: true, ..Series::default() };
-    let mut rows = Vec::new();
-    let steps: &[f64] = if size.quick { &[3e5] } else { &[3e5, 1e6] };
-    let few = size.share(4);
-    let mut scan: Vec<(f64, Vec<BlockForces>)> = Vec::new();
-    for &k in steps {
-        scan.push((k, maps(size, few, k)?));
-    }
+    let all = force_maps(size, size.towers, stiffest)?;
+    exact_figures(&mut section, &all);
+    other_figures(&mut section, &all);
+    let compared = vec![
+        Series::points("exact", pairs(&all, straight_answer)),
+        Series::points("turning", pairs(&all, turning_answer)),
+    ];
     let per_tower = all.len() / size.towers as usize;
-    scan.push((stiffest, all[..per_tower * few as usize].to_vec()));
-    for (k, blocks) in &scan {
-        let of = |keep: &dyn Fn(&BlockForces) -> Option<f64>| -> Vec<f64> {
-            blocks.iter().filter_map(|b| Some((keep(b)? - middle(b)?).abs())).collect()
-        };
-        let exact = of(&|b| exact_of(b).map(|e| e.straight_n));
-        let turning = of(&|b| b.exact.filter(|e| !e.is_exact() && !e.rocks()).map(|e| e.turning_n));
-        let (found, loose) = loose_found(blocks);
-        errors_of.points.push((*k, mean(&exact)));
-        turning_of.points.push((*k, mean(&turning)));
-        rows.push(vec![
-            format!("{k:.0e}"),
-            format!("{:.4}", mean(&exact)),
-            format!("{:.4}", mean(&turning)),
-            format!("{found} of {loose}"),
-        ]);
+    let mut scan = Vec::new();
+    for &stiffness in if size.quick { &[3e5][..] } else { &[3e5, 1e6] } {
+        scan.push((stiffness, force_maps(size, size.share(4), stiffness)?));
     }
-    section.table(&["stiffness N/m", "mean error where exact N", "from the turning answer N", "loose found"], rows);
-    let points = |pairs: &[(f64, f64)], name: &str| Series { name: name.into(), points: pairs.to_vec(), line: false };
-    section.plots.push(Plot {
-        title: format!("Force that starts a block, k = {stiffest:.0e} N/m"),
+    scan.push((stiffest, all[..per_tower * size.share(4) as usize].to_vec()));
+    convergence(&mut section, &scan);
+    let chart = Chart {
+        title: format!("Breakaway force, k = {stiffest:.0e} N/m"),
         x: Axis::log("rigid blocks, N"),
         y: Axis::log("engine, N"),
-        series: vec![points(&exact, "exact"), points(&turning, "turning")],
+        series: compared,
         diagonal: true,
-    });
-    section.plots.push(Plot {
-        title: "Error and stiffness".into(),
-        x: Axis::log("stiffness, N/m"),
-        y: Axis::log("mean error, N"),
-        series: vec![errors_of, turning_of],
-        diagonal: false,
-    });
+        ..Chart::default()
+    };
+    section.charts.insert(0, chart);
     section.data = json!({"stiffness": stiffest, "blocks": all});
     Ok(section)
 }
 
-/// Whether rigid blocks call a block loose.
-fn loose_by_rigid(block: &BlockForces) -> bool {
-    block.exact.is_some_and(|e| e.straight_n < FOUND)
+/// Figures of the blocks for which rigid blocks have an exact answer.
+fn exact_figures(section: &mut Section, all: &[BlockForces]) {
+    let exact = pairs(all, straight_answer);
+    let tight: Vec<(f64, f64)> = exact.iter().copied().filter(|pair| pair.0 > LOOSE).collect();
+    let (errors, (found, loose), r) = (differences(&exact), count_loose(all), correlation(&exact));
+    let error = mean(&errors);
+    section.goal("force map where exact: correlation", format!("{r:.5}"), "0.995", r >= 0.995);
+    section.goal("loose blocks found below 0.1 N", format!("{found} of {loose}"), "every one", found == loose);
+    section.goal("force map where exact: mean error", format!("{error:.4} N"), "0.02 N", error <= 0.02);
+    section.inform("force map where exact: 95 % within", format!("{:.4} N", quantile(&errors, 0.95)));
+    let value = format!("{} of {}, {} of them tight", exact.len(), all.len(), tight.len());
+    section.inform("blocks with an exact answer", value);
+    section.inform(
+        "tight blocks with an exact answer: correlation, mean error",
+        format!("{:.5}, {:.4} N", correlation(&tight), mean(&differences(&tight))),
+    );
 }
 
-/// How many blocks that are loose beyond doubt start below [`FOUND`] both ways, and how many there are.
-fn loose_found(blocks: &[BlockForces]) -> (usize, usize) {
-    let loose: Vec<&BlockForces> = blocks.iter().filter(|b| b.is_generic() && loose_by_rigid(b)).collect();
-    (loose.iter().filter(|b| b.both().iter().all(|f| f.is_some_and(|f| f < FOUND))).count(), loose.len())
+/// Figures of the blocks without an exact answer.
+fn other_figures(section: &mut Section, all: &[BlockForces]) {
+    // Where heights differ by less than contacts give, the straight answer on springs of that stiffness stands for that of rigid blocks.
+    let close: Vec<String> = all
+        .iter()
+        .filter(|block| !block.is_generic() && loose_by_rigid(block))
+        .filter_map(|block| block.on_springs_n.zip(mean_force(block)))
+        .map(|(springs, engine)| format!("{springs:.3} N, {engine:.3} N"))
+        .collect();
+    section.inform(
+        "blocks that only rigid blocks call loose, for heights differ by less than contacts give: straight pull on springs at rest, and measured",
+        if close.is_empty() { "none".into() } else { close.join("; ") },
+    );
+    let turning = pairs(all, turning_answer);
+    let distance = mean(&differences(&turning));
+    section.inform(
+        "tight blocks whose tower turns: correlation and mean distance from the turning answer",
+        format!("{:.4}, {distance:.3} N over {} blocks", correlation(&turning), turning.len()),
+    );
+    let rocking = percent(all, |block| block.exact.is_some_and(|exact| exact.rocks()));
+    section.inform("blocks for which the tower rocks before they slide straight", format!("{rocking:.0} %"));
 }
 
-/// The exact answer for a block, where there is one.
-fn exact_of(block: &BlockForces) -> Option<Breakaway> {
-    block.exact.filter(|e| e.is_exact() && block.is_generic())
+/// Table and chart of the errors by contact stiffness, N/m.
+fn convergence(section: &mut Section, scan: &[(f64, Vec<BlockForces>)]) {
+    let (mut exact_errors, mut turning_errors, mut rows) = (Vec::new(), Vec::new(), Vec::new());
+    for (stiffness, blocks) in scan {
+        let exact = mean(&differences(&pairs(blocks, straight_answer)));
+        let turning = mean(&differences(&pairs(blocks, turning_answer)));
+        let (found, loose) = count_loose(blocks);
+        exact_errors.push((*stiffness, exact));
+        turning_errors.push((*stiffness, turning));
+        let cells = [format!("{stiffness:.0e}"), format!("{exact:.4}"), format!("{turning:.4}")];
+        rows.push([&cells[..], &[format!("{found} of {loose}")]].concat());
+    }
+    section.table(&["stiffness N/m", "mean error where exact N", "from the turning answer N", "loose found"], rows);
+    section.charts.push(Chart {
+        title: "Error and stiffness".into(),
+        x: Axis::log("stiffness, N/m"),
+        y: Axis::log("mean error, N"),
+        series: vec![Series::line("where exact", exact_errors), Series::line("turning", turning_errors)],
+        ..Chart::default()
+    });
 }
 
-/// The mean of both directions, N.
-fn middle(block: &BlockForces) -> Option<f64> {
+/// Pairs of an answer of rigid blocks and the force of the engine, N, of the blocks that have both.
+fn pairs(blocks: &[BlockForces], answer: fn(&BlockForces) -> Option<f64>) -> Vec<(f64, f64)> {
+    blocks.iter().filter_map(|block| answer(block).zip(mean_force(block))).collect()
+}
+
+fn differences(pairs: &[(f64, f64)]) -> Vec<f64> {
+    pairs.iter().map(|(a, b)| (a - b).abs()).collect()
+}
+
+/// Exact answer, N.
+fn straight_answer(block: &BlockForces) -> Option<f64> {
+    block.exact.filter(|exact| exact.is_exact() && block.is_generic()).map(|exact| exact.straight_n)
+}
+
+/// Answer with the tower above turning, N, where it differs from the straight one and the tower does not rock.
+fn turning_answer(block: &BlockForces) -> Option<f64> {
+    let turns = |exact: &Breakaway| !exact.is_exact() && !exact.rocks();
+    block.exact.filter(turns).map(|exact| exact.turning_n)
+}
+
+/// Mean of both directions, N.
+fn mean_force(block: &BlockForces) -> Option<f64> {
     Some(0.5 * (block.forward_n? + block.backward_n?))
 }
 
-fn maps(size: &Size, towers: u64, stiffness: f64) -> Result<Vec<BlockForces>, Error> {
-    let scenes: Vec<Scene> = size.towers(towers, stiffness, &size.options());
-    let bar = progress(scenes.iter().map(|s| s.blocks.len() as u64).sum(), "blocks pulled");
+/// Returns true if rigid blocks call a block loose.
+fn loose_by_rigid(block: &BlockForces) -> bool {
+    block.exact.is_some_and(|exact| exact.straight_n < LOOSE)
+}
+
+/// Number of loose blocks that start below [`LOOSE`] in both directions, and number of loose blocks.
+fn count_loose(blocks: &[BlockForces]) -> (usize, usize) {
+    let loose: Vec<&BlockForces> = blocks.iter().filter(|b| b.is_generic() && loose_by_rigid(b)).collect();
+    let found = |block: &&&BlockForces| block.both().iter().all(|force| force.is_some_and(|force| force < LOOSE));
+    (loose.iter().filter(found).count(), loose.len())
+}
+
+/// Measures the blocks of `count` towers at a contact stiffness (N/m).
+fn force_maps(size: &Size, count: u64, stiffness: f64) -> Result<Vec<BlockForces>, Error> {
+    let scenes = size.towers(count, stiffness, &size.tower_options());
+    let bar = progress(scenes.iter().map(|scene| scene.blocks.len() as u64).sum(), "blocks pulled");
     let mut all = Vec::new();
     for scene in &scenes {
-        all.extend(force_map(scene, params(), || bar.inc(1)).map_err(built)?);
+        all.extend(force_map(scene, params(), || bar.inc(1))?);
     }
     bar.finish_and_clear();
     Ok(all)

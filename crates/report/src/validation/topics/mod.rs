@@ -1,4 +1,4 @@
-//! What is measured, a file a topic.
+//! Topics of the report, a file each.
 
 mod closed;
 mod extraction;
@@ -9,43 +9,45 @@ mod placing;
 mod range;
 mod removal;
 mod rest;
+mod tilt;
 mod turning;
 mod yanks;
 
-use super::section::{Section, Size};
+use super::section::Section;
+use super::size::Size;
 use crate::error::Error;
 
-/// A part of the report.
+/// Topic of the report.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Topic {
-    /// Falls, slides, spins, impacts and pushes against closed forms.
+    /// Motions of one block or a column that have a formula.
     Closed,
-    /// Towers with known answers: which stand.
+    /// Stability of labelled towers.
     Labelled,
-    /// Towers with known answers: at what tilt they collapse.
+    /// Collapse angles of labelled towers.
     Tilt,
-    /// The force that starts each block, against rigid blocks.
+    /// Breakaway force of each block.
     Forces,
-    /// How a tower turns above a tight block that is pulled.
+    /// Rotation of a tower above a tight block that is pulled.
     Turning,
-    /// The share of loose blocks against the scatter of heights.
+    /// Share of loose blocks by the scatter of heights.
     Loose,
     /// Long rest.
     Rest,
-    /// Every legal single removal.
+    /// Legal single removals.
     Removal,
     /// Loose blocks taken out by the hand.
     Extraction,
     /// Blocks placed and dropped on top.
     Placing,
-    /// Blocks torn out, and the heaps that are left.
+    /// Blocks torn out of a tower.
     Yanks,
-    /// Both makes of block, friction and stiffness.
+    /// Block presets, friction and stiffness.
     Range,
 }
 
 impl Topic {
-    /// All of them, in the order of the report.
+    /// All topics, in the order of the report.
     pub const ALL: [Topic; 12] = [
         Topic::Closed,
         Topic::Labelled,
@@ -61,48 +63,42 @@ impl Topic {
         Topic::Rest,
     ];
 
-    /// Name for selection.
+    /// Short name, as of its section.
     pub fn name(self) -> &'static str {
-        match self {
-            Topic::Closed => "closed",
-            Topic::Labelled => "labelled",
-            Topic::Tilt => "tilt",
-            Topic::Forces => "forces",
-            Topic::Turning => "turning",
-            Topic::Loose => "loose",
-            Topic::Rest => "rest",
-            Topic::Removal => "removal",
-            Topic::Extraction => "extraction",
-            Topic::Placing => "placing",
-            Topic::Yanks => "yanks",
-            Topic::Range => "range",
-        }
+        self.description().0
     }
 
     /// One line of help.
     pub fn summary(self) -> &'static str {
+        self.description().1
+    }
+
+    fn description(self) -> (&'static str, &'static str) {
         match self {
-            Topic::Closed => "Falls, slides, spins, impacts and pushes against closed forms",
-            Topic::Labelled => "Towers with known answers: which stand",
-            Topic::Tilt => "Towers with known answers: at what tilt they collapse",
-            Topic::Forces => "The force that starts each block, against rigid blocks",
-            Topic::Turning => "How a tower turns above a tight block that is pulled",
-            Topic::Loose => "The share of loose blocks against the scatter of heights",
-            Topic::Rest => "Long rest",
-            Topic::Removal => "Every legal single removal",
-            Topic::Extraction => "Loose blocks taken out by the hand",
-            Topic::Placing => "Blocks placed and dropped on top",
-            Topic::Yanks => "Blocks torn out, and the heaps that are left",
-            Topic::Range => "Both makes of block, friction and stiffness",
+            Topic::Closed => ("closed", "Falls, slides, spins, impacts and pushes against closed forms"),
+            Topic::Labelled => ("labelled", "Stability of towers with known answers"),
+            Topic::Tilt => ("tilt", "Tilt at which towers with known answers collapse"),
+            Topic::Forces => ("forces", "Breakaway force of each block, against rigid blocks"),
+            Topic::Turning => ("turning", "Rotation of a tower above a tight block that is pulled"),
+            Topic::Loose => ("loose", "Share of loose blocks by the scatter of heights"),
+            Topic::Rest => ("rest", "Long rest"),
+            Topic::Removal => ("removal", "Every legal single removal"),
+            Topic::Extraction => ("extraction", "Loose blocks taken out by the hand"),
+            Topic::Placing => ("placing", "Blocks placed and dropped on top"),
+            Topic::Yanks => ("yanks", "Blocks torn out, and the heaps that are left"),
+            Topic::Range => ("range", "Both block presets over the range of friction and stiffness"),
         }
     }
 
-    /// Measures it.
+    /// Measures the topic.
+    ///
+    /// # Errors
+    /// When a scene of the topic cannot be built.
     pub fn measure(self, size: &Size) -> Result<Section, Error> {
         match self {
             Topic::Closed => closed::measure(size),
-            Topic::Labelled => labelled::standing(size),
-            Topic::Tilt => labelled::tilt(size),
+            Topic::Labelled => labelled::measure(size),
+            Topic::Tilt => tilt::measure(size),
             Topic::Forces => forces::measure(size),
             Topic::Turning => turning::measure(size),
             Topic::Loose => loose::measure(size),
@@ -114,9 +110,4 @@ impl Topic {
             Topic::Range => range::measure(size),
         }
     }
-}
-
-/// A fault of the report's own scenes, which are valid.
-fn built(error: impl std::fmt::Display) -> Error {
-    Error::Said(format!("a scene of the report cannot be built: {error}"))
 }

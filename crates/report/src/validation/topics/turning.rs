@@ -1,114 +1,166 @@
-//! How a tower turns above a tight block that is pulled beside its middle.
+//! Rotation of a tower above a tight block that is pulled beside its middle.
 
 use serde_json::json;
-use teeter_physics::{BodyId, Params, Precision};
+use teeter_physics::{BodyId, Params, Precision, World};
 use teeter_scene::Scene;
 use teeter_study::{Drag, RigidTower, Spread, drag_rotation, long_axis, mechanism, par_map, settled};
 
-use super::super::plot::{Axis, Plot, Series};
-use super::super::section::{Section, Size, params};
-use super::super::stats::{correlation, mean, percent};
-use super::built;
+use crate::chart::{Axis, Chart, Series};
 use crate::error::Error;
-use crate::progress;
+use crate::output::progress;
+use crate::statistics::{correlation, mean, percent};
+use crate::validation::section::Section;
+use crate::validation::size::{Size, params};
 
-/// How far a block is pulled, m, and how fast, m/s.
-const WAY: f64 = 2e-3;
+/// Distance by which a block is pulled, m.
+const PULL: f64 = 2e-3;
+/// Speed at which a block is pulled, m/s.
 const SPEED: f64 = 5e-3;
-/// What of the force that slides it straight a block must start below to count as one whose tower turns.
+/// Maximum breakaway force of a block whose tower turns, over that of sliding straight.
 const TURNS: f64 = 0.9;
+/// Rotation below which the direction does not count, mrad/mm.
+const NO_ROTATION: f64 = 3.0;
 
-/// Measures it.
+/// Rotations of the row above a block, mrad/mm, and the forces of the three models of rigid blocks, N.
+struct Measurement {
+    block: String,
+    /// Engine at 1e6 N/m, and in double precision at 1e7 N/m.
+    engine: [f64; 2],
+    /// Friction at the lever of each patch, at its corners, and on a mesh.
+    rigid: [f64; 3],
+    force_n: [f64; 3],
+}
+
+impl Measurement {
+    fn values(&self) -> [f64; 5] {
+        [self.engine[0], self.engine[1], self.rigid[0], self.rigid[1], self.rigid[2]]
+    }
+}
+
+/// Settled tower, in single precision and in double precision on stiff contacts, and its rigid twin.
+struct Tower<'a> {
+    scene: &'a Scene,
+    worlds: [World; 2],
+    rigid: RigidTower<'a>,
+    /// Cells of a mesh along each side of a patch.
+    cells: usize,
+}
+
+impl<'a> Tower<'a> {
+    fn new(scene: &'a Scene, quick: bool) -> Result<Self, Error> {
+        let stiff = Scene { stiffness: if quick { 1e6 } else { 1e7 }, ..scene.clone() };
+        let double = Params { precision: Precision::Double, ..params() };
+        let worlds = [settled(scene, params())?, settled(&stiff, double)?];
+        Ok(Self { scene, worlds, rigid: RigidTower::new(scene)?, cells: if quick { 4 } else { 12 } })
+    }
+
+    /// Blocks below the two top rows whose tower turns when they are pulled.
+    fn turning_blocks(&self) -> Vec<usize> {
+        let blocks: Vec<usize> = (0..self.scene.blocks.len() - 6).collect();
+        let turns = par_map(&blocks, |&i| {
+            let answer = self.rigid.breakaway(i).ok()?;
+            (answer.turning_n < TURNS * answer.straight_n && !answer.rocks()).then_some(i)
+        });
+        turns.into_iter().flatten().collect()
+    }
+
+    /// Pulls block `i`; none where a model of rigid blocks has no solution.
+    fn measure(&self, i: usize) -> Option<Measurement> {
+        let axis = long_axis(&self.scene.blocks[i]).extend(0.0);
+        let row = 3 * (i / 3 + 1);
+        let above: Vec<BodyId> = (row as u32..).take(3).map(BodyId).collect();
+        let drag = Drag { axis, distance: PULL, speed: SPEED };
+        let engine = self.worlds.each_ref().map(|world| drag_rotation(world, BodyId(i as u32), &above, &drag));
+        let [lever, corners, mesh] = [Spread::ScaledCorners, Spread::Corners, Spread::Mesh(self.cells)]
+            .map(|spread| mechanism(&self.rigid, i, spread));
+        let models = [lever?, corners?, mesh?];
+        Some(Measurement {
+            block: format!("{} {i}", self.scene.name),
+            engine,
+            rigid: models.each_ref().map(|m| (row..row + 3).map(|j| m.velocities[j].z).sum::<f64>() / 3.0),
+            force_n: models.each_ref().map(|m| m.force_n),
+        })
+    }
+}
+
+/// Measures the rotation above tight blocks.
 pub fn measure(size: &Size) -> Result<Section, Error> {
     let mut section = Section::new(
         "turning",
-        "How a tower turns above a tight block",
-        "A tight block beside the middle is drawn 2 mm at 5 mm/s by a hand that leaves it free to turn; what counts is by how much the row above has turned for each millimetre. \
-         Beside it what rigid blocks do: of all motions with the normal forces of rest the one for which friction takes the least power, with friction on the engine's lever, \
-         at the corners of each patch, and on a mesh of 12 x 12 points under a pressure that varies evenly (which has the torsion of theory by itself). \
-         The engine in single precision at 1e6 N/m and in double at 1e7.",
+        "Rotation of a tower above a tight block",
+        "A tight block beside the middle is drawn 2 mm at 5 mm/s by a hand that leaves it free to turn; the figure is the rotation of the row \
+         above for each millimetre. Rigid blocks move so that, of all motions with the normal forces of rest, friction takes the least power, with \
+         friction on the engine's lever, at the corners of each patch, and on a mesh of 12 x 12 points under a pressure that varies evenly (which \
+         has the torsion of theory by itself). The engine runs in single precision at 1e6 N/m and in double at 1e7.",
     );
-    let scenes = size.towers(size.share(5), 1e6, &size.options());
-    let mut rows = Vec::new();
-    let mut all: Vec<[f64; 5]> = Vec::new();
-    let mut forces: Vec<[f64; 3]> = Vec::new();
+    let scenes = size.towers(size.share(5), 1e6, &size.tower_options());
+    let mut all: Vec<Measurement> = Vec::new();
     for scene in &scenes {
-        let rigid = RigidTower::new(scene).map_err(built)?;
-        let blocks: Vec<usize> = (0..scene.blocks.len() - 6).collect();
-        let turning = par_map(&blocks, |&i| {
-            let answer = rigid.breakaway(i).ok()?;
-            (answer.turning_n < TURNS * answer.straight_n && !answer.rocks()).then_some(i)
-        });
-        let turning: Vec<usize> = turning.into_iter().flatten().take(if size.quick { 2 } else { usize::MAX }).collect();
-        let stiff = Scene { stiffness: if size.quick { 1e6 } else { 1e7 }, ..scene.clone() };
-        let usual = settled(scene, params()).map_err(built)?;
-        let fine = settled(&stiff, Params { precision: Precision::Double, ..params() }).map_err(built)?;
-        let bar = progress(turning.len() as u64, "blocks");
-        let seen = par_map(&turning, |&i| {
-            let axis = long_axis(&scene.blocks[i]).extend(0.0);
-            let above: Vec<BodyId> = (3 * (i / 3 + 1) as u32..).take(3).map(BodyId).collect();
-            let drag = Drag { axis, distance: WAY, speed: SPEED };
-            let engine = [&usual, &fine].map(|world| drag_rotation(world, BodyId(i as u32), &above, &drag));
-            let theory = [Spread::ScaledCorners, Spread::Corners, Spread::Mesh(if size.quick { 4 } else { 12 })]
-                .map(|spread| mechanism(&rigid, i, spread));
+        let tower = Tower::new(scene, size.quick)?;
+        let mut blocks = tower.turning_blocks();
+        blocks.truncate(if size.quick { 2 } else { usize::MAX });
+        let bar = progress(blocks.len() as u64, "blocks");
+        let measured = par_map(&blocks, |&i| {
+            let measured = tower.measure(i);
             bar.inc(1);
-            let [a, b, c] = theory;
-            Some((i, engine, [a?, b?, c?]))
+            measured
         });
         bar.finish_and_clear();
-        for (i, engine, theory) in seen.into_iter().flatten() {
-            let row = 3 * (i / 3 + 1);
-            let spins = theory.each_ref().map(|m| (row..row + 3).map(|j| m.velocities[j].z).sum::<f64>() / 3.0);
-            let [lever, corners, mesh] = spins;
-            all.push([engine[0], engine[1], lever, corners, mesh]);
-            forces.push(theory.each_ref().map(|m| m.force_n));
-            let cells = [engine[0], engine[1], lever, corners, mesh].map(|v| format!("{v:+.1}"));
-            rows.push([vec![format!("{} {i}", scene.name)], cells.to_vec()].concat());
-        }
+        all.extend(measured.into_iter().flatten());
     }
-    let pairs = |i: usize, j: usize| all.iter().map(|r| (r[j], r[i])).collect::<Vec<_>>();
-    let off = |i: usize, j: usize| mean(&all.iter().map(|r| (r[i] - r[j]).abs()).collect::<Vec<_>>());
-    let size_of = mean(&all.iter().map(|r| r[4].abs()).collect::<Vec<_>>());
-    section.say(
-        "blocks, and how much the row above turns on average on a mesh",
-        format!("{}, {size_of:.1} mrad/mm", all.len()),
-    );
-    section.say(
-        "engine at 1e6 against mesh: correlation, mean difference",
-        format!("{:.3}, {:.1} mrad/mm", correlation(&pairs(0, 4)), off(0, 4)),
-    );
-    section.say(
-        "engine at 1e7 in double against mesh",
-        format!("{:.3}, {:.1} mrad/mm", correlation(&pairs(1, 4)), off(1, 4)),
-    );
-    section.say(
-        "engine at 1e6 against that at 1e7",
-        format!("{:.3}, {:.1} mrad/mm", correlation(&pairs(0, 1)), off(0, 1)),
-    );
-    section.say(
-        "lever of the patch at four corners against mesh",
-        format!("{:.3}, {:.1} mrad/mm", correlation(&pairs(2, 4)), off(2, 4)),
-    );
-    section.say(
-        "friction at the corners themselves against mesh",
-        format!("{:.3}, {:.1} mrad/mm", correlation(&pairs(3, 4)), off(3, 4)),
-    );
-    let force = |i: usize| 100.0 * mean(&forces.iter().map(|f| (f[i] / f[2] - 1.0).abs()).collect::<Vec<_>>());
-    section.say("force against mesh: lever, corners", format!("{:.1} %, {:.1} % off", force(0), force(1)));
-    let same = percent(&all, |r| r[0] * r[4] > 0.0 || r[4].abs() < 3.0);
-    section.goal("the row above turns the way that rigid blocks say", format!("{same:.0} %"), "95 %", same >= 95.0);
-    section.table(&["block", "engine 1e6", "engine 1e7 f64", "lever", "corners", "mesh"], rows);
-    section.plots.push(Plot {
-        title: "Turn of the row above".into(),
+    figures(&mut section, &all);
+    let row = |m: &Measurement| {
+        let cells = m.values().map(|rotation| format!("{rotation:+.1}"));
+        [&[m.block.clone()][..], &cells].concat()
+    };
+    let head = ["block", "engine 1e6", "engine 1e7 f64", "lever", "corners", "mesh"];
+    section.table(&head, all.iter().map(row).collect());
+    section.charts.push(chart(&all));
+    let rotations: Vec<[f64; 5]> = all.iter().map(Measurement::values).collect();
+    let forces: Vec<[f64; 3]> = all.iter().map(|m| m.force_n).collect();
+    section.data = json!({"mrad_per_mm": rotations, "force_n": forces});
+    Ok(section)
+}
+
+/// Pairs (reference, value) of two of the five rotations.
+fn pairs(all: &[Measurement], value: usize, reference: usize) -> Vec<(f64, f64)> {
+    all.iter().map(|m| (m.values()[reference], m.values()[value])).collect()
+}
+
+fn figures(section: &mut Section, all: &[Measurement]) {
+    let size = mean(&all.iter().map(|m| m.rigid[2].abs()).collect::<Vec<_>>());
+    section.inform("blocks, and mean rotation of the row above on a mesh", format!("{}, {size:.1} mrad/mm", all.len()));
+    for (what, value, reference) in [
+        ("engine at 1e6 against mesh: correlation, mean difference", 0, 4),
+        ("engine at 1e7 in double against mesh", 1, 4),
+        ("engine at 1e6 against that at 1e7", 0, 1),
+        ("lever of the patch at four corners against mesh", 2, 4),
+        ("friction at the corners themselves against mesh", 3, 4),
+    ] {
+        let pairs = pairs(all, value, reference);
+        let difference = mean(&pairs.iter().map(|(a, b)| (a - b).abs()).collect::<Vec<_>>());
+        section.inform(what, format!("{:.3}, {difference:.1} mrad/mm", correlation(&pairs)));
+    }
+    let error = |model: usize| {
+        100.0 * mean(&all.iter().map(|m| (m.force_n[model] / m.force_n[2] - 1.0).abs()).collect::<Vec<_>>())
+    };
+    section.inform("force against mesh: lever, corners", format!("{:.1} %, {:.1} % off", error(0), error(1)));
+    let same = percent(all, |m| m.engine[0] * m.rigid[2] > 0.0 || m.rigid[2].abs() < NO_ROTATION);
+    let what = "the row above turns in the direction that rigid blocks give";
+    section.goal(what, format!("{same:.0} %"), "95 %", same >= 95.0);
+}
+
+fn chart(all: &[Measurement]) -> Chart {
+    Chart {
+        title: "Rotation of the row above".into(),
         x: Axis::new("rigid blocks on a mesh, mrad per mm pulled"),
         y: Axis::new("mrad per mm"),
         series: vec![
-            Series { name: "engine 1e6".into(), points: pairs(0, 4), line: false },
-            Series { name: "engine 1e7 f64".into(), points: pairs(1, 4), line: false },
-            Series { name: "friction at corners".into(), points: pairs(3, 4), line: false },
+            Series::points("engine 1e6", pairs(all, 0, 4)),
+            Series::points("engine 1e7 f64", pairs(all, 1, 4)),
+            Series::points("friction at corners", pairs(all, 3, 4)),
         ],
         diagonal: true,
-    });
-    section.data = json!({"mrad_per_mm": all, "force_n": forces});
-    Ok(section)
+        ..Chart::default()
+    }
 }

@@ -1,0 +1,47 @@
+//! Commands of the shell, a file each.
+
+mod dissertation;
+mod forces;
+mod play;
+mod run;
+mod scene;
+mod score;
+mod validate;
+
+use clap::Subcommand;
+
+use crate::error::Error;
+
+/// Command with its arguments.
+#[derive(Debug, Subcommand)]
+pub enum Command {
+    /// Serve the page on this machine and open it: play.
+    Play(play::Play),
+    /// Print a scene: a tower, a configuration, or one of the list.
+    Scene(scene::Scenes),
+    /// Simulate a scene and report whether it stands.
+    Run(run::Run),
+    /// Predict labelled towers: which fall, or at what tilt.
+    Score(score::Score),
+    /// Measure the force that starts each block sliding, beside that of rigid blocks.
+    Forces(forces::Forces),
+    /// Measure the engine against exact mechanics and data of real towers, and write a report.
+    Validate(validate::Validate),
+    /// The 2003 dissertation: its simulators and results.
+    Dissertation(dissertation::Dissertation),
+}
+
+impl Command {
+    /// Runs the command.
+    pub fn run(self) -> Result<(), Error> {
+        match self {
+            Command::Play(play) => play.run(),
+            Command::Scene(scenes) => scenes.run(),
+            Command::Run(run) => run.run(),
+            Command::Score(score) => score.run(),
+            Command::Forces(forces) => forces.run(),
+            Command::Validate(validate) => validate.run(),
+            Command::Dissertation(dissertation) => dissertation.run(),
+        }
+    }
+}

@@ -1,0 +1,179 @@
+//! Errors of the shell and their exit codes.
+
+use std::io;
+use std::process::ExitCode;
+
+use clap::error::ErrorKind;
+use teeter_physics::BuildError;
+use teeter_report::score::LabelledError;
+use teeter_report::validation::DataSheetError;
+use teeter_scene::{NAMED, SceneError};
+
+/// Exit code for bad input.
+const BAD_INPUT: u8 = 2;
+
+/// Error that ends a command.
+#[derive(Debug, thiserror::Error)]
+pub enum Error {
+    /// Command line that is not valid, or asks for help.
+    #[error(transparent)]
+    Usage(#[from] clap::Error),
+    /// Standard output whose reader has left.
+    #[error("standard output is closed")]
+    StdoutClosed,
+    /// Standard output that cannot be written.
+    #[error("standard output cannot be written: {0}")]
+    Stdout(io::Error),
+    /// Input that cannot be read.
+    #[error("{name}: {source}")]
+    Input {
+        /// Name of the file or stream.
+        name: String,
+        /// Cause.
+        source: InputError,
+    },
+    /// Name of no scene and no file.
+    #[error("there is no scene `{name}`, neither a file nor one of {}", names())]
+    UnknownScene {
+        /// Name.
+        name: String,
+    },
+    /// Options of a scene that contradict each other.
+    #[error(transparent)]
+    SceneOptions(#[from] SceneError),
+    /// Scene that cannot be simulated.
+    #[error("{name}: {source}")]
+    Build {
+        /// Name of the scene.
+        name: String,
+        /// Cause.
+        source: BuildError,
+    },
+    /// Labelled towers that cannot be read.
+    #[error(transparent)]
+    Labelled(#[from] LabelledError),
+    /// Output file that cannot be created.
+    #[error("{name}: cannot be written: {source}")]
+    Create {
+        /// Name of the file.
+        name: String,
+        /// Cause.
+        source: io::Error,
+    },
+    /// Output file that cannot be written to its end.
+    #[error("{name}: {source}")]
+    Write {
+        /// Name of the file.
+        name: String,
+        /// Cause.
+        source: io::Error,
+    },
+    /// Report that cannot be measured or written.
+    #[error(transparent)]
+    Report(#[from] teeter_report::Error),
+    /// Program without the page.
+    #[cfg(not(feature = "page"))]
+    #[error("this program was built without the page: `make play` builds it with the page and starts it")]
+    NoPage,
+    /// Server that cannot be started.
+    #[cfg(feature = "page")]
+    #[error("the server cannot start: {0}")]
+    Start(io::Error),
+    /// Server that has ended by itself.
+    #[cfg(feature = "page")]
+    #[error("the server ended: {0}")]
+    Serve(io::Error),
+    /// Port that is in use.
+    #[cfg(feature = "page")]
+    #[error("port {0} is taken: choose another with --port, or leave --port out for a free one")]
+    PortTaken(u16),
+    /// Port that only a privileged user may open.
+    #[cfg(feature = "page")]
+    #[error("port {0} may not be used: choose one above 1023 with --port")]
+    PortDenied(u16),
+    /// Port that cannot be opened for another reason.
+    #[cfg(feature = "page")]
+    #[error("port {port} cannot be used: {source}")]
+    Port {
+        /// Port.
+        port: u16,
+        /// Cause.
+        source: io::Error,
+    },
+    /// Machine without a free port.
+    #[cfg(feature = "page")]
+    #[error("no port can be used: {0}")]
+    NoPort(io::Error),
+}
+
+/// Cause of an input that cannot be read.
+#[derive(Debug, thiserror::Error)]
+pub enum InputError {
+    /// Path of no file.
+    #[error("there is no such file")]
+    Missing,
+    /// File without permission.
+    #[error("this file may not be read")]
+    Denied,
+    /// Path of a folder.
+    #[error("this is a folder, expected a file")]
+    Folder,
+    /// Failure of the system.
+    #[error(transparent)]
+    Io(#[from] io::Error),
+    /// Scene that is not valid, or too large.
+    #[error(transparent)]
+    Scene(#[from] SceneError),
+    /// Data sheet that is not valid.
+    #[error(transparent)]
+    DataSheet(#[from] DataSheetError),
+}
+
+impl Error {
+    /// Error of an input.
+    pub fn input(name: &str, source: impl Into<InputError>) -> Self {
+        Self::Input { name: name.to_owned(), source: source.into() }
+    }
+
+    /// Writes the error to standard error as one line, except for help, and returns the exit code.
+    pub fn report(&self) -> ExitCode {
+        match self {
+            // `teeter scene tower | head` is no error: the reader has what it needs.
+            Self::StdoutClosed => ExitCode::SUCCESS,
+            Self::Usage(error) => report_usage(error),
+            error => report_line(&error.to_string()),
+        }
+    }
+}
+
+/// Names of the scenes of the list.
+fn names() -> String {
+    NAMED.iter().map(|scene| scene.name).collect::<Vec<_>>().join(", ")
+}
+
+fn report_line(message: &str) -> ExitCode {
+    // Names of files and scenes can contain any character, also line breaks.
+    let line: String = message.chars().map(|c| if c.is_control() { ' ' } else { c }).collect();
+    eprintln!("teeter: {line}");
+    ExitCode::from(BAD_INPUT)
+}
+
+fn report_usage(error: &clap::Error) -> ExitCode {
+    match error.kind() {
+        ErrorKind::DisplayHelp | ErrorKind::DisplayVersion => {
+            let _ = error.print();
+            ExitCode::SUCCESS
+        }
+        ErrorKind::DisplayHelpOnMissingArgumentOrSubcommand => {
+            let _ = error.print();
+            ExitCode::from(BAD_INPUT)
+        }
+        _ => {
+            // The first paragraph of clap names the error, the others are help.
+            let text = error.to_string();
+            let first = text.split("\n\n").next().unwrap_or_default();
+            let words: Vec<&str> = first.trim_start_matches("error: ").split_whitespace().collect();
+            report_line(&format!("{}; see `teeter --help` and `teeter COMMAND --help`", words.join(" ")))
+        }
+    }
+}

@@ -1,0 +1,25 @@
+//! Output folders, files and progress bars.
+
+use std::fs;
+use std::path::Path;
+
+use indicatif::{ProgressBar, ProgressStyle};
+
+use crate::error::Error;
+
+/// Creates a folder and its parents where they are missing.
+pub(crate) fn create_folder(path: &Path) -> Result<(), Error> {
+    fs::create_dir_all(path).map_err(|source| Error::CreateFolder { path: path.to_owned(), source })
+}
+
+/// Writes a text file.
+pub(crate) fn write_file(path: &Path, text: &str) -> Result<(), Error> {
+    fs::write(path, text).map_err(|source| Error::WriteFile { path: path.to_owned(), source })
+}
+
+/// Returns a progress bar of `length` steps on standard error; it stays hidden where that is no terminal.
+pub fn progress(length: u64, unit: &str) -> ProgressBar {
+    let style = ProgressStyle::with_template(&format!("{{wide_bar}} {{pos}} of {{len}} {unit}, {{eta}} left"))
+        .expect("the template uses only keys of indicatif");
+    ProgressBar::new(length).with_style(style)
+}
