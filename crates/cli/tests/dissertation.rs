@@ -30,7 +30,7 @@ fn parts_of_the_report() {
 }
 
 #[test]
-fn what_is_wrong_is_said_in_one_line() {
+fn bad_input_ends_with_one_line() {
     let folder = tempfile::tempdir().unwrap();
     let file = folder.path().join("file");
     std::fs::write(&file, "").unwrap();

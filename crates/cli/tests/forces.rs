@@ -1,4 +1,4 @@
-//! `teeter forces`: every block of a scene, both ways, and the exact answer beside it.
+//! `teeter forces`: every block of a scene in both directions, beside the exact answer.
 
 mod common;
 
@@ -23,7 +23,7 @@ fn the_blocks_of_a_column_start_at_coulombs_force() {
 
 /// A tower that falls has no exact answer, and what 10 N does not move has no force.
 #[test]
-fn what_is_not_known_is_null() {
+fn unknown_forces_are_null() {
     let scene = r#"{"name": "heavy", "gravity": 9.81, "friction": 1.0, "blocks":
         [{"id": 3, "size": [0.081, 0.0268, 0.018], "mass": 2.0, "pos": [0, 0, 0.009], "yaw": 0}]}"#;
     let report = teeter_with(&["forces", "-", "--json"], scene.as_bytes()).json();

@@ -7,7 +7,7 @@ mod common;
 fn without_the_page_it_says_how_to_get_it() {
     let done = common::teeter(&["play", "--no-open"]);
     assert_eq!(
-        done.fault(),
+        done.error_line(),
         "this program was built without the page: `make play` builds it with the page and starts it"
     );
 }
@@ -135,7 +135,7 @@ mod served {
         let port = taken.local_addr().unwrap().port().to_string();
         let done = common::teeter(&["play", "--no-open", "--port", &port]);
         assert_eq!(
-            done.fault(),
+            done.error_line(),
             format!("port {port} is taken: choose another with --port, or leave --port out for a free one")
         );
     }

@@ -36,9 +36,9 @@ fn the_report_has_these_fields() {
     assert!(report["asleep_at_s"].as_f64().unwrap() < 3.0);
 }
 
-/// What the README shows of `teeter run` is what it says: but for the time, which is that of a machine.
+/// The output of `teeter run` in the README, except for the time, which is that of a machine.
 #[test]
-fn the_readme_shows_what_run_says() {
+fn the_readme_shows_the_output_of_run() {
     let readme = include_str!("../../../README.md");
     let (_, shown) = readme.split_once("$ teeter run tower --no-sleep\n").unwrap();
     let (shown, _) = shown.split_once("```").unwrap();
@@ -50,7 +50,7 @@ fn the_readme_shows_what_run_says() {
 
 /// Every scene of the list whose answer is known, the knife's edge included.
 #[test]
-fn verdicts_of_the_list() {
+fn stability_of_the_list() {
     for entry in NAMED {
         let Some(expect) = entry.expect else { continue };
         let report = report(&[entry.name, "--seconds", "5", "--no-sleep"]);
@@ -73,11 +73,11 @@ fn stiffness_is_the_scenes_unless_the_flag_names_one() {
         let printed = teeter(&[&["scene"], scene].concat()).out;
         common::teeter_with(&[&["run", "-", "--seconds", "1", "--json"], run].concat(), printed.as_bytes()).json()["hash"].clone()
     };
-    let usual = hash(&["test-4"], &[]);
+    let default = hash(&["test-4"], &[]);
     let stiff = hash(&["test-4", "--stiffness", "3e6"], &[]);
-    assert_ne!(stiff, usual);
+    assert_ne!(stiff, default);
     assert_eq!(stiff, hash(&["test-4"], &["--stiffness", "3e6"]));
-    assert_eq!(usual, hash(&["test-4", "--stiffness", "3e6"], &["--stiffness", "1e6"]));
+    assert_eq!(default, hash(&["test-4", "--stiffness", "3e6"], &["--stiffness", "1e6"]));
 }
 
 #[test]
@@ -122,5 +122,5 @@ fn blocks_may_have_springs_of_wood() {
     assert_eq!(wood["hash"], run("3e7")["hash"]);
     assert!(soft["sink_mm"].as_f64().unwrap() > 3.0 * wood["sink_mm"].as_f64().unwrap(), "{soft} {wood}");
     let oak = teeter(&["run", "column", "--form", "lattice", "--spring-stiffness", "oak"]);
-    assert!(oak.fault().contains("expected a number from 1000 to 100000000, or wood"), "{}", oak.fault());
+    assert!(oak.error_line().contains("expected a number from 1000 to 100000000, or wood"), "{}", oak.error_line());
 }

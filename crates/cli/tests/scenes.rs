@@ -70,7 +70,7 @@ fn the_list_and_its_scenes() {
 }
 
 #[test]
-fn what_is_printed_can_be_run() {
+fn a_printed_scene_can_be_run() {
     let printed = teeter(&["scene", "tower", "--rows", "4", "--seed", "5"]);
     let report = teeter_with(&["run", "-", "--seconds", "1", "--json"], printed.out.as_bytes()).json();
     assert_eq!(report["stands"], true);

@@ -49,7 +49,7 @@ fn towers_that_stand_and_fall() {
 
 #[test]
 fn wrong_labels_are_counted() {
-    // The first ten with their labels turned round: a score that does not look at predictions would not see it.
+    // The first ten with their labels turned round: a score that ignores predictions would count them as right.
     let turned: Vec<String> = labelled("config.jsonl.gz")[..10]
         .iter()
         .map(|line| {

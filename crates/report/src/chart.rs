@@ -77,7 +77,7 @@ impl Chart {
             let area = SVGBackend::with_string(&mut svg, SIZE).into_drawing_area();
             self.draw(&area).expect("drawing into memory does not fail");
         }
-        // The declaration of XML has no place inside an HTML page.
+        // Without the XML declaration, which HTML does not admit.
         svg.find("<svg").map_or(svg.clone(), |start| svg[start..].to_owned())
     }
 

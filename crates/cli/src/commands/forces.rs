@@ -19,7 +19,7 @@ pub struct Forces {
     scene: PathBuf,
     #[command(flatten)]
     engine: EngineArguments,
-    /// One JSON object.
+    /// Print one JSON object.
     #[arg(long)]
     json: bool,
 }

@@ -32,7 +32,7 @@ pub struct Run {
     /// Simulate every block in every frame: slower, and shows that rest does not depend on sleep.
     #[arg(long)]
     no_sleep: bool,
-    /// One JSON object.
+    /// Print one JSON object.
     #[arg(long)]
     json: bool,
 }

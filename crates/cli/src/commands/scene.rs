@@ -44,7 +44,7 @@ struct Named {
 
 #[derive(Debug, Args)]
 struct List {
-    /// One JSON object.
+    /// Print one JSON object.
     #[arg(long)]
     json: bool,
 }

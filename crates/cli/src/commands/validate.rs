@@ -36,8 +36,8 @@ pub struct Validate {
     #[arg(long, value_parser = number(0.001, 1000.0))]
     hours: Option<f64>,
     /// Blocks torn out of a tower [default: 1000].
-    #[arg(long, value_parser = clap::value_parser!(u32).range(1..=100_000))]
-    yanks: Option<u32>,
+    #[arg(long = "yanks", value_name = "N", value_parser = clap::value_parser!(u32).range(1..=100_000))]
+    collapses: Option<u32>,
     /// Data sheet of a real tower, see docs/validation.md; without `--only`, no other topic is measured.
     #[arg(long, value_name = "FILE")]
     real: Option<PathBuf>,
@@ -53,7 +53,7 @@ impl Validate {
             towers: self.towers,
             seed: self.seed,
             hours: self.hours,
-            yanks: self.yanks,
+            collapses: self.collapses,
         });
         for section in validation::run(&self.out, &size, &self.only, sheet.as_ref())? {
             output::line(section.title)?;
@@ -65,12 +65,12 @@ impl Validate {
 
 fn print(figure: &Figure) -> Result<(), Error> {
     let goal = figure.goal.as_deref().map_or(String::new(), |goal| format!(" (goal {goal})"));
-    let verdict = match figure.met {
+    let result = match figure.met {
         Some(true) => "ok    ",
         Some(false) => "MISSED",
         None => "      ",
     };
-    output::line(&format!("  {verdict} {}: {}{goal}", figure.what, figure.value))
+    output::line(&format!("  {result} {}: {}{goal}", figure.what, figure.value))
 }
 
 fn data_sheet(path: &Path) -> Result<DataSheet, Error> {

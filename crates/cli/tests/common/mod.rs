@@ -6,7 +6,7 @@ use std::process::{Child, Command, Stdio};
 
 use serde_json::Value;
 
-/// What the program did.
+/// Result of a run of the program.
 pub struct Done {
     pub code: i32,
     pub out: String,
@@ -28,7 +28,7 @@ pub fn teeter(args: &[&str]) -> Done {
 /// Runs it with `input` on standard input.
 pub fn teeter_with(args: &[&str], input: &[u8]) -> Done {
     let mut child = command(args).stdin(Stdio::piped()).spawn().expect("the program starts");
-    // The program may end before it has read all: a closed pipe is then no fault of the test.
+    // The program may end before it has read all: a closed pipe is then no failure of the test.
     let _ = child.stdin.take().expect("standard input is piped").write_all(input);
     done(child)
 }
@@ -52,8 +52,8 @@ impl Done {
         value
     }
 
-    /// The one line of a run that was given something bad.
-    pub fn fault(&self) -> &str {
+    /// Error line of a run with bad input.
+    pub fn error_line(&self) -> &str {
         assert_eq!((self.code, self.out.as_str()), (2, ""), "{}", self.err);
         let line = self.err.strip_suffix('\n').expect("a whole line");
         assert!(!line.contains('\n'), "{line:?} is more than a line");

@@ -31,7 +31,7 @@ pub struct Summary {
     tilt_side_sensitive: Option<Tilt>,
 }
 
-/// Comparison of verdicts on stability.
+/// Comparison of predictions of stability.
 #[derive(Debug, Default, Serialize)]
 struct Config {
     labelled: usize,

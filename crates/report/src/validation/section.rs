@@ -77,7 +77,7 @@ impl Section {
         let content = html! {
             p { (self.method) }
             table.words {
-                @for figure in &self.figures { tr { td { (figure.what) } td class=[verdict(figure)] { (figure.value) } } }
+                @for figure in &self.figures { tr { td { (figure.what) } td class=[result(figure)] { (figure.value) } } }
             }
             div.charts { @for chart in &self.charts { (chart) } }
             @for table in &self.tables { (table) }
@@ -93,14 +93,14 @@ impl Section {
                     td { a href={ "#" (self.name) } { (figure.what) } }
                     td { (figure.value) }
                     td { (figure.goal.as_deref().unwrap_or_default()) }
-                    td class=[verdict(figure)] { (verdict(figure).unwrap_or_default()) }
+                    td class=[result(figure)] { (result(figure).unwrap_or_default()) }
                 }
             }
         }
     }
 }
 
-/// Verdict on a figure, also its class in the style sheet.
-fn verdict(figure: &Figure) -> Option<&'static str> {
+/// Result of a figure with a goal, also its class in the style sheet.
+fn result(figure: &Figure) -> Option<&'static str> {
     figure.met.map(|met| if met { "met" } else { "missed" })
 }

@@ -17,8 +17,8 @@ pub struct Options {
     pub seed: u64,
     /// Simulated rest of all towers together, h.
     pub hours: Option<f64>,
-    /// Collapses: blocks torn out of a tower.
-    pub yanks: Option<u32>,
+    /// Blocks torn out of a tower, one or a collapse at a time.
+    pub collapses: Option<u32>,
 }
 
 /// Number and size of the towers of a report.
@@ -32,8 +32,9 @@ pub struct Size {
     pub seed: u64,
     /// Simulated rest of all towers together, h.
     pub hours: f64,
-    /// Collapses: blocks torn out of a tower.
-    pub yanks: usize,
+    /// Blocks torn out of a tower, one or a collapse at a time.
+    #[serde(rename = "yanks")]
+    pub collapses: usize,
     /// Form of the blocks.
     pub form: Form,
     /// True for the small report.
@@ -49,7 +50,7 @@ impl Size {
             rows: default(5.0, 18.0) as u32,
             seed: options.seed,
             hours: options.hours.unwrap_or(default(0.01, 24.0)),
-            yanks: options.yanks.map_or(default(10.0, 1000.0) as usize, |yanks| yanks as usize),
+            collapses: options.collapses.map_or(default(10.0, 1000.0) as usize, |count| count as usize),
             form: options.form.unwrap_or_default(),
             quick: options.quick,
         }

@@ -41,7 +41,7 @@ impl Report {
     pub fn print(&self, scene: &Scene) -> Result<(), Error> {
         let weight: f64 = scene.blocks.iter().map(|block| block.mass * scene.gravity).sum();
         let count = scene.blocks.len();
-        output::line(&format!("{}: {}", scene.name, self.verdict(count)))?;
+        output::line(&format!("{}: {}", scene.name, self.result(count)))?;
         let row = |name: &str, value: String| output::line(&format!("  {name:22} {value}"));
         row("blocks", format!("{count}, {weight:.2} N in all"))?;
         row("largest displacement", millimetres(self.max_displacement_mm))?;
@@ -54,8 +54,8 @@ impl Report {
         row("hash", self.hash.clone())
     }
 
-    /// Verdict on a scene of `count` blocks.
-    fn verdict(&self, count: usize) -> String {
+    /// Result of a scene of `count` blocks.
+    fn result(&self, count: usize) -> String {
         match self.fell.as_slice() {
             [] => "stands".to_owned(),
             [id] => format!("block {id} fell"),

@@ -71,7 +71,7 @@ pub fn play(column: &Column, moves: &[Move], mut observe: impl FnMut(&Tower, Out
     Ok(())
 }
 
-/// Direction to a player who looks at the ends of the blocks of a row and counts its columns from left to right. The corner of the pictures
+/// Direction to a player who faces the ends of the blocks of a row and counts its columns from left to right. The corner of the pictures
 /// shows both kinds of ends; for rows along x the player is at its right.
 fn toward_player(row: usize) -> DVec3 {
     if row.is_multiple_of(2) { DVec3::X } else { -DVec3::Y }

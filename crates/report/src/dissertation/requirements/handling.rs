@@ -19,7 +19,7 @@ pub fn removes(subject: &Subject) -> Result<Answer, Error> {
 }
 
 /// 1.2: the second move lays it on top.
-pub fn places(subject: &Subject) -> Result<Answer, Error> {
+pub fn lays_on_top(subject: &Subject) -> Result<Answer, Error> {
     let outcome = subject.moves[1];
     let evidence = format!("{} mm from its target", mm(outcome.error));
     Ok(Answer::new(outcome.stands && outcome.error < 3e-3, evidence))

@@ -31,8 +31,8 @@ const THROWS: [Throw; 5] = [
 ];
 /// Speeds of the throws, m/s: 3 and 17 cm a frame, so that the ends of frames alone could miss a collision.
 const SPEEDS: [f64; 2] = [2.0, 10.0];
-/// Distance from the line of flight within which a block is in the other's way, m: half of the thickness of a block.
-const IN_THE_WAY: f64 = 9e-3;
+/// Distance from the line of flight within which neither block has made room, m: half of the thickness of a block.
+const SAME_LINE: f64 = 9e-3;
 /// Displacement of the hand in a frame as it drives a block into a tower, m: half of the thickness of a block.
 const HAND_STEP: f64 = 9e-3;
 
@@ -52,7 +52,7 @@ pub fn no_passing(subject: &Subject) -> Result<Answer, Error> {
     Ok(Answer::new(through == 0 && depth < 4.5e-3, evidence))
 }
 
-/// Returns true if a block thrown at a speed (m/s) gets behind the other in its way.
+/// Returns true if a block thrown at a speed (m/s) gets behind the other on its line of flight.
 fn passes(subject: &Subject, throw: &Throw, speed: f64) -> Result<bool, Error> {
     let mut two = scene("column")?;
     two.blocks.truncate(2);
@@ -64,7 +64,7 @@ fn passes(subject: &Subject, throw: &Throw, speed: f64) -> Result<bool, Error> {
         tower.step(None);
         let apart = tower.centre(1) - tower.centre(0);
         let along = apart.dot(throw.direction);
-        along > 0.0 && (apart - along * throw.direction).length() < IN_THE_WAY
+        along > 0.0 && (apart - along * throw.direction).length() < SAME_LINE
     }))
 }
 

@@ -18,7 +18,7 @@ pub fn measure(size: &Size) -> Result<Section, Error> {
     let mut section = Section::new(
         "forces",
         "Breakaway force of each block",
-        "Each block of a settled tower is pulled both ways along its length by a force that grows slowly; the last states before it slides are \
+        "Each block of a settled tower is pulled along its length in both directions by a force that grows slowly; the last states before it slides are \
          tried again with the force constant, so that inertia does not count. Rigid blocks give three forces from the same normal forces: sliding \
          straight; with the tower above turning; and the one at which the tower rocks instead. The answer is exact where the first two agree \
          within 1 % and the tower does not rock before, and where contacts of the scene's stiffness, at rest, give the same as rigid ones; \

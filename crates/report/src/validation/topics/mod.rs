@@ -1,6 +1,7 @@
 //! Topics of the report, a file each.
 
 mod closed;
+mod collapses;
 mod extraction;
 mod forces;
 mod labelled;
@@ -9,9 +10,8 @@ mod placing;
 mod range;
 mod removal;
 mod rest;
+mod rotation;
 mod tilt;
-mod turning;
-mod yanks;
 
 use super::section::Section;
 use super::size::Size;
@@ -29,7 +29,7 @@ pub enum Topic {
     /// Breakaway force of each block.
     Forces,
     /// Rotation of a tower above a tight block that is pulled.
-    Turning,
+    Rotation,
     /// Share of loose blocks by the scatter of heights.
     Loose,
     /// Long rest.
@@ -41,7 +41,7 @@ pub enum Topic {
     /// Blocks placed and dropped on top.
     Placing,
     /// Blocks torn out of a tower.
-    Yanks,
+    Collapses,
     /// Block presets, friction and stiffness.
     Range,
 }
@@ -53,12 +53,12 @@ impl Topic {
         Topic::Labelled,
         Topic::Tilt,
         Topic::Forces,
-        Topic::Turning,
+        Topic::Rotation,
         Topic::Loose,
         Topic::Removal,
         Topic::Extraction,
         Topic::Placing,
-        Topic::Yanks,
+        Topic::Collapses,
         Topic::Range,
         Topic::Rest,
     ];
@@ -68,7 +68,7 @@ impl Topic {
         self.description().0
     }
 
-    /// One line of help.
+    /// Short description, for help.
     pub fn summary(self) -> &'static str {
         self.description().1
     }
@@ -79,13 +79,13 @@ impl Topic {
             Topic::Labelled => ("labelled", "Stability of towers with known answers"),
             Topic::Tilt => ("tilt", "Tilt at which towers with known answers collapse"),
             Topic::Forces => ("forces", "Breakaway force of each block, against rigid blocks"),
-            Topic::Turning => ("turning", "Rotation of a tower above a tight block that is pulled"),
+            Topic::Rotation => ("turning", "Rotation of a tower above a tight block that is pulled"),
             Topic::Loose => ("loose", "Share of loose blocks by the scatter of heights"),
             Topic::Rest => ("rest", "Long rest"),
             Topic::Removal => ("removal", "Every legal single removal"),
             Topic::Extraction => ("extraction", "Loose blocks taken out by the hand"),
             Topic::Placing => ("placing", "Blocks placed and dropped on top"),
-            Topic::Yanks => ("yanks", "Blocks torn out, and the heaps that are left"),
+            Topic::Collapses => ("yanks", "Blocks torn out, and the heaps that are left"),
             Topic::Range => ("range", "Both block presets over the range of friction and stiffness"),
         }
     }
@@ -100,13 +100,13 @@ impl Topic {
             Topic::Labelled => labelled::measure(size),
             Topic::Tilt => tilt::measure(size),
             Topic::Forces => forces::measure(size),
-            Topic::Turning => turning::measure(size),
+            Topic::Rotation => rotation::measure(size),
             Topic::Loose => loose::measure(size),
             Topic::Rest => rest::measure(size),
             Topic::Removal => removal::measure(size),
             Topic::Extraction => extraction::measure(size),
             Topic::Placing => placing::measure(size),
-            Topic::Yanks => yanks::measure(size),
+            Topic::Collapses => collapses::measure(size),
             Topic::Range => range::measure(size),
         }
     }

@@ -32,11 +32,11 @@ struct Case {
     seconds: f64,
 }
 
-/// Tears out blocks and rows.
+/// Pulls out blocks and rows suddenly.
 pub fn measure(size: &Size) -> Result<Section, Error> {
     let mut section = Section::new(
         "yanks",
-        "Yanks and collapses",
+        "Sudden pulls and collapses",
         "Blocks chosen at random are torn out of settled towers (k = 1e6 N/m) by a strong arm, 100 N, forwards, backwards, to both sides, up and \
          down at 1, 2, 5 and 10 m/s; a tenth of the cases tears two whole low rows away, a collapse. Overlap is computed by separating axes of \
          its own at each 1/240 s, and along the straight line between two samples in steps of less than a quarter of a block: a block that \
@@ -46,21 +46,22 @@ pub fn measure(size: &Size) -> Result<Section, Error> {
     let short = Params { frame: FRAME, ..params() };
     let worlds = par_map(&scenes, |scene| settled(scene, short)).into_iter().collect::<Result<Vec<World>, _>>()?;
     let cases = cases(size, &scenes);
-    let bar = progress(cases.len() as u64, "yanks");
-    let yanks: Vec<Collapse> = par_map(&cases, |case| {
-        let yank = collapse(&worlds[case.tower], &case.bodies, case.velocity, case.seconds);
+    let bar = progress(cases.len() as u64, "cases");
+    let outcomes: Vec<Collapse> = par_map(&cases, |case| {
+        let outcome = collapse(&worlds[case.tower], &case.bodies, case.velocity, case.seconds);
         bar.inc(1);
-        yank
+        outcome
     });
     bar.finish_and_clear();
-    overlap_figures(&mut section, &yanks);
+    overlap_figures(&mut section, &outcomes);
     let collapses: Vec<Collapse> =
-        cases.iter().zip(&yanks).filter(|(c, _)| c.bodies.len() > 1).map(|(_, y)| *y).collect();
+        cases.iter().zip(&outcomes).filter(|(c, _)| c.bodies.len() > 1).map(|(_, y)| *y).collect();
     collapse_figures(&mut section, &collapses);
-    let listed = cases.iter().zip(&yanks).filter(|(_, y)| y.lasting_s > MAX_OVERLAP_TIME || y.lost || y.through);
-    let rows = listed.take(MAX_LISTED).map(|(case, yank)| row(&scenes[case.tower].name, case, yank)).collect();
+    let listed = cases.iter().zip(&outcomes).filter(|(_, y)| y.lasting_s > MAX_OVERLAP_TIME || y.lost || y.through);
+    let rows = listed.take(MAX_LISTED).map(|(case, outcome)| row(&scenes[case.tower].name, case, outcome)).collect();
     section.table(&["case", "deepest", "lasts", "through", "lost"], rows);
-    let points = cases.iter().zip(&yanks).map(|(case, yank)| (case.velocity.length(), yank.deepest_mm)).collect();
+    let points =
+        cases.iter().zip(&outcomes).map(|(case, outcome)| (case.velocity.length(), outcome.deepest_mm)).collect();
     section.charts.push(Chart {
         title: "Deepest overlap".into(),
         x: Axis::new("speed, m/s"),
@@ -68,25 +69,25 @@ pub fn measure(size: &Size) -> Result<Section, Error> {
         series: vec![Series::points("", points)],
         ..Chart::default()
     });
-    let data = |(case, yank): (&Case, &Collapse)| {
+    let data = |(case, outcome): (&Case, &Collapse)| {
         let (tower, velocity) = (&scenes[case.tower].name, case.velocity.to_array());
-        json!({"tower": tower, "bodies": case.bodies, "velocity": velocity, "seen": yank})
+        json!({"tower": tower, "bodies": case.bodies, "velocity": velocity, "seen": outcome})
     };
-    section.data = json!(cases.iter().zip(&yanks).map(data).collect::<Vec<Value>>());
+    section.data = json!(cases.iter().zip(&outcomes).map(data).collect::<Vec<Value>>());
     Ok(section)
 }
 
-fn overlap_figures(section: &mut Section, yanks: &[Collapse]) {
+fn overlap_figures(section: &mut Section, outcomes: &[Collapse]) {
     let mut none = |what: &str, is_bad: fn(&Collapse) -> bool| {
-        let count = yanks.iter().filter(|yank| is_bad(yank)).count();
-        let value = format!("{count} of {}", yanks.len());
-        section.goal(format!("yanks and collapses: {what}"), value, "none", count == 0);
+        let count = outcomes.iter().filter(|outcome| is_bad(outcome)).count();
+        let value = format!("{count} of {}", outcomes.len());
+        section.goal(format!("sudden pulls and collapses: {what}"), value, "none", count == 0);
     };
-    none("overlap of more than 1 mm for more than 50 ms", |yank| yank.lasting_s > MAX_OVERLAP_TIME);
-    none("not finite or run away", |yank| yank.lost);
-    none("a block through another or the floor", |yank| yank.through);
-    let deepest: Vec<f64> = yanks.iter().map(|yank| yank.deepest_mm).collect();
-    let lasting: Vec<f64> = yanks.iter().map(|yank| yank.lasting_s).collect();
+    none("overlap of more than 1 mm for more than 50 ms", |outcome| outcome.lasting_s > MAX_OVERLAP_TIME);
+    none("not finite or run away", |outcome| outcome.lost);
+    none("a block through another or the floor", |outcome| outcome.through);
+    let deepest: Vec<f64> = outcomes.iter().map(|outcome| outcome.deepest_mm).collect();
+    let lasting: Vec<f64> = outcomes.iter().map(|outcome| outcome.lasting_s).collect();
     section.inform(
         "deepest overlap of any sample: median, 95 %, largest",
         format!("{:.3}, {:.3}, {:.3} mm", quantile(&deepest, 0.5), quantile(&deepest, 0.95), max(&deepest)),
@@ -95,8 +96,8 @@ fn overlap_figures(section: &mut Section, yanks: &[Collapse]) {
 }
 
 fn collapse_figures(section: &mut Section, collapses: &[Collapse]) {
-    let quiet = percent(collapses, |yank| yank.quiet_s.is_some());
-    let times: Vec<f64> = collapses.iter().filter_map(|yank| yank.quiet_s).collect();
+    let quiet = percent(collapses, |collapse| collapse.quiet_s.is_some());
+    let times: Vec<f64> = collapses.iter().filter_map(|collapse| collapse.quiet_s).collect();
     section.goal(
         format!("piles quiet {COLLAPSE_TIME:.0} s after a collapse"),
         format!("{quiet:.0} % of {}", collapses.len()),
@@ -106,15 +107,15 @@ fn collapse_figures(section: &mut Section, collapses: &[Collapse]) {
     section.inform("quiet after: median, largest", format!("{:.2}, {:.2} s", quantile(&times, 0.5), max(&times)));
 }
 
-fn row(tower: &str, case: &Case, yank: &Collapse) -> Vec<String> {
+fn row(tower: &str, case: &Case, collapse: &Collapse) -> Vec<String> {
     let v = case.velocity;
     let bodies: Vec<String> = case.bodies.iter().map(BodyId::to_string).collect();
     vec![
         format!("{tower} blocks {} at ({}, {}, {}) m/s", bodies.join(", "), v.x, v.y, v.z),
-        format!("{:.2} mm", yank.deepest_mm),
-        format!("{:.3} s", yank.lasting_s),
-        yank.through.to_string(),
-        yank.lost.to_string(),
+        format!("{:.2} mm", collapse.deepest_mm),
+        format!("{:.3} s", collapse.lasting_s),
+        collapse.through.to_string(),
+        collapse.lost.to_string(),
     ]
 }
 
@@ -138,5 +139,5 @@ fn cases(size: &Size, scenes: &[Scene]) -> Vec<Case> {
         let direction = [along, -along, across, -across, DVec3::Z, DVec3::NEG_Z][below(6)];
         Case { tower, bodies: vec![BodyId(body as u32)], velocity: direction * speed, seconds: BLOCK_TIME }
     };
-    (0..size.yanks).map(&mut case).collect()
+    (0..size.collapses).map(&mut case).collect()
 }
