@@ -16,7 +16,8 @@ pub struct Source {
     pub reader: Box<dyn Read>,
 }
 
-/// Opens a file, or standard input for `-`. Refuses a file of more than `limit` bytes without reading it.
+/// Opens a file, or standard input for `-`. Refuses a file of more than `limit` bytes without
+/// reading it.
 pub fn open(path: &Path, limit: u64) -> Result<Source, Error> {
     if path == Path::new("-") {
         return Ok(Source { name: "standard input".into(), reader: Box::new(io::stdin().lock()) });
@@ -42,7 +43,8 @@ fn open_file(path: &Path, limit: u64) -> Result<File, InputError> {
     Ok(file)
 }
 
-/// Reads the scene in a file, on standard input, or of that name in the list. A file has priority over a name.
+/// Reads the scene in a file, on standard input, or of that name in the list. A file has priority
+/// over a name.
 pub fn scene(path: &Path) -> Result<Scene, Error> {
     if let Some(name) = path.to_str()
         && name != "-"

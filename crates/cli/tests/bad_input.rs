@@ -1,5 +1,5 @@
-//! Bad input: exit code 2, nothing on standard output, and one line on standard error that names the
-//! cause.
+//! Bad input: exit code 2, nothing on standard output, and one line on standard error that names
+//! the cause.
 
 mod common;
 
@@ -81,7 +81,8 @@ fn impossible_blocks() {
     assert!(error_of(|s| s["gravity"] = json!(-9.81)).contains("`gravity` is -9.81, expected 0 to 100 m/s²"));
 }
 
-/// A sparse file of 4 TB takes no room on most disks, and a program that reads it all runs for hours.
+/// A sparse file of 4 TB takes no room on most disks, and a program that reads it all runs for
+/// hours.
 #[test]
 fn a_huge_file_is_refused_before_it_is_read() {
     let folder = tempfile::tempdir().unwrap();

@@ -1,4 +1,5 @@
-//! `teeter play`: the page comes whole from 127.0.0.1, each file with its type and its headers, and Ctrl-C ends it quietly.
+//! `teeter play`: the page comes whole from 127.0.0.1, each file with its type and its headers, and
+//! Ctrl-C ends it quietly.
 
 mod common;
 

@@ -1,6 +1,7 @@
 //! `teeter score`: a prediction a scene, in the file's order, and the comparison with the labels.
 //!
-//! The 400 towers that stand or fall are a test of the engine; here are some of them, all that are tilted, and the file's form.
+//! The 400 towers that stand or fall are a test of the engine; here are some of them, all that are
+//! tilted, and the file's form.
 
 mod common;
 
@@ -49,7 +50,8 @@ fn towers_that_stand_and_fall() {
 
 #[test]
 fn wrong_labels_are_counted() {
-    // The first ten with their labels turned round: a score that ignores predictions would count them as right.
+    // The first ten with their labels turned round: a score that ignores predictions would count
+    // them as right.
     let turned: Vec<String> = labelled("config.jsonl.gz")[..10]
         .iter()
         .map(|line| {
@@ -63,7 +65,8 @@ fn wrong_labels_are_counted() {
     assert_eq!(summary["config"]["wrong"].as_array().unwrap().len(), 10);
 }
 
-/// Angles of collapse of all tilted towers: what the labels say is exact for toppling and an upper bound for all.
+/// Angles of collapse of all tilted towers: what the labels say is exact for toppling and an upper
+/// bound for all.
 #[test]
 fn towers_that_are_tilted() {
     let all = labelled("tilt.jsonl.gz");
@@ -78,7 +81,8 @@ fn towers_that_are_tilted() {
     }
 }
 
-/// A block on a slope slides where the tangent is the coefficient of friction, if it is flat enough not to topple first.
+/// A block on a slope slides where the tangent is the coefficient of friction, if it is flat enough
+/// not to topple first.
 #[test]
 fn a_block_slides_at_the_angle_of_friction() {
     let scene = r#"{"name": "slope", "friction": 0.3, "tilt_az": 0.7, "blocks":

@@ -1,4 +1,5 @@
-//! `teeter validate`: the report is written, its figures are there, and a data sheet of a real tower is held against the engine.
+//! `teeter validate`: the report is written, its figures are there, and a data sheet of a real
+//! tower is held against the engine.
 
 mod common;
 
@@ -29,7 +30,8 @@ fn the_parts_asked_for_are_measured_and_met() {
     assert_eq!(sections[2]["data"]["rests"][0]["hash"].as_str().unwrap().len(), 16);
 }
 
-/// Three rows of which the middle blocks bear all, with the pulls that Coulomb's law gives: a sheet that the engine must meet.
+/// Three rows of which the middle blocks bear all, with the pulls that Coulomb's law gives: a sheet
+/// that the engine must meet.
 #[test]
 fn a_sheet_that_coulomb_filled_in_is_met() {
     let folder = tempfile::tempdir().unwrap();

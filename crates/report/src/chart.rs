@@ -25,6 +25,10 @@ const TEXT: RGBColor = RGBColor(0x33, 0x33, 0x33);
 const GRID: RGBColor = RGBColor(0xe4, 0xe4, 0xe4);
 const REFERENCE: RGBColor = RGBColor(0x99, 0x99, 0x99);
 const FONT: &str = "system-ui, sans-serif";
+/// Font size of labels, pixels of the font's bounding box: the em is four fifths of it.
+const TEXT_SIZE: i32 = 14;
+/// Font size of the heading, pixels of the font's bounding box.
+const TITLE_SIZE: i32 = 17;
 
 /// Chart of one or more series.
 #[derive(Debug, Clone, Default)]
@@ -48,7 +52,8 @@ pub struct Chart {
 pub struct Series {
     /// Name in the legend; a chart without a named series has no legend.
     pub name: String,
-    /// Points (x, y). Those that are not finite, or not positive on a logarithmic axis, are not drawn.
+    /// Points (x, y). Those that are not finite, or not positive on a logarithmic axis, are not
+    /// drawn.
     pub points: Vec<(f64, f64)>,
     /// True when a line joins the points.
     pub joined: bool,
@@ -86,11 +91,11 @@ impl Chart {
         let x = self.x.coordinate(points().map(|p| p.0));
         let y = self.y.coordinate(points().map(|p| p.1).chain(self.goals.iter().map(|goal| goal.0)));
         let mut chart = ChartBuilder::on(area)
-            .caption(&self.title, (FONT, 15, FontStyle::Bold, &TEXT))
+            .caption(&self.title, (FONT, TITLE_SIZE, FontStyle::Bold, &TEXT))
             .margin(8)
             .margin_right(16)
-            .x_label_area_size(38)
-            .y_label_area_size(58)
+            .x_label_area_size(44)
+            .y_label_area_size(64)
             .build_cartesian_2d(x, y)?;
         chart
             .configure_mesh()
@@ -98,10 +103,10 @@ impl Chart {
             .y_desc(&self.y.label)
             .x_labels(8)
             .y_labels(8)
-            .label_style((FONT, 11, &TEXT))
+            .label_style((FONT, TEXT_SIZE, &TEXT))
             .axis_style(REFERENCE)
             .bold_line_style(GRID)
-            .light_line_style(WHITE)
+            .max_light_lines(0)
             .draw()?;
         self.draw_references(&mut chart)?;
         for (series, color) in self.series.iter().zip(COLORS.into_iter().cycle()) {
@@ -112,7 +117,7 @@ impl Chart {
                 .configure_series_labels()
                 .position(SeriesLabelPosition::UpperLeft)
                 .background_style(WHITE.mix(0.8))
-                .label_font((FONT, 11, &TEXT))
+                .label_font((FONT, TEXT_SIZE, &TEXT))
                 .draw()?;
         }
         Ok(())
@@ -129,7 +134,7 @@ impl Chart {
         }
         for (goal, label) in &self.goals {
             chart.draw_series(DashedLineSeries::new([(x.start, *goal), (x.end, *goal)], 4, 3, REFERENCE.into()))?;
-            let style = (FONT, 11, &TEXT).into_text_style(&SIZE).pos(Pos::new(HPos::Right, VPos::Bottom));
+            let style = (FONT, TEXT_SIZE, &TEXT).into_text_style(&SIZE).pos(Pos::new(HPos::Right, VPos::Bottom));
             chart.draw_series(std::iter::once(Text::new(label.clone(), (x.end, *goal), style)))?;
         }
         Ok(())

@@ -17,7 +17,8 @@ pub(crate) fn write_file(path: &Path, text: &str) -> Result<(), Error> {
     fs::write(path, text).map_err(|source| Error::WriteFile { path: path.to_owned(), source })
 }
 
-/// Returns a progress bar of `length` steps on standard error; it stays hidden where that is no terminal.
+/// Returns a progress bar of `length` steps on standard error; it stays hidden where that is no
+/// terminal.
 pub fn progress(length: u64, unit: &str) -> ProgressBar {
     let style = ProgressStyle::with_template(&format!("{{wide_bar}} {{pos}} of {{len}} {unit}, {{eta}} left"))
         .expect("the template uses only keys of indicatif");

@@ -10,7 +10,8 @@ pub struct Table {
     pub head: Vec<String>,
     /// Cells by row.
     pub rows: Vec<Vec<String>>,
-    /// True when all columns are aligned to the left, as suits words. Numbers are aligned to the right, except in the first column.
+    /// True when all columns are aligned to the left, as suits words. Numbers are aligned to the
+    /// right, except in the first column.
     #[serde(skip)]
     pub left_aligned: bool,
 }

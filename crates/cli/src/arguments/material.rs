@@ -8,16 +8,20 @@ use super::number::number;
 /// Properties that replace those of a scene.
 #[derive(Debug, Args)]
 pub struct Material {
-    /// Stiffness of a contact of 26.8 mm by 26.8 mm, N/m, 1e4 to 1e8 [default: that of the scene, 1e6 where it has none].
+    /// Stiffness of a contact of 26.8 mm by 26.8 mm, N/m, 1e4 to 1e8 [default: that of the scene,
+    /// 1e6 where it has none].
     #[arg(long, value_parser = number(STIFFNESS.0, STIFFNESS.1), value_name = "N/M")]
     stiffness: Option<f64>,
-    /// Form of the blocks: rigid, or a lattice of 8 particles and 28 springs each [default: that of the scene, rigid where it has none].
+    /// Form of the blocks: rigid, or a lattice of 8 particles and 28 springs each [default: that of
+    /// the scene, rigid where it has none].
     #[arg(long)]
     form: Option<Form>,
-    /// Stiffness of each spring of a lattice, N/m, 1e3 to 1e8, or `wood`, 3e7 [default: that of the scene, of the contacts where it has none].
+    /// Stiffness of each spring of a lattice, N/m, 1e3 to 1e8, or `wood`, 3e7 [default: that of the
+    /// scene, of the contacts where it has none].
     #[arg(long, value_parser = spring_stiffness, value_name = "N/M")]
     spring_stiffness: Option<f64>,
-    /// Positions of the particles: inside, so that a block has the inertia of a solid one, or corners, as in the dissertation.
+    /// Positions of the particles: inside, so that a block has the inertia of a solid one, or
+    /// corners, as in the dissertation.
     #[arg(long)]
     particles: Option<Particles>,
 }

@@ -50,7 +50,8 @@ impl Run {
 
 /// Measurements while a world runs.
 struct Recorder {
-    /// Height of the top before the first frame, m. A scene begins without load, so this is the sum of the tallest blocks.
+    /// Height of the top before the first frame, m. A scene begins without load, so this is the sum
+    /// of the tallest blocks.
     top: f64,
     start: ReferencePositions,
     /// Positions from which creep counts.

@@ -91,7 +91,8 @@ struct Common {
     /// Seed of the scatter of heights and masses.
     #[arg(long, default_value_t = 1)]
     seed: u64,
-    /// Block preset: dissertation (81 x 26.8 x 18 mm, 19.6 g) or official (75 x 25 x 15 mm, 14.1 g).
+    /// Block preset: dissertation (81 x 26.8 x 18 mm, 19.6 g) or official (75 x 25 x 15 mm, 14.1
+    /// g).
     #[arg(long, default_value_t = BlockPreset::Dissertation)]
     block: BlockPreset,
     /// Coefficient of static friction.

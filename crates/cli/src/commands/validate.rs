@@ -38,7 +38,8 @@ pub struct Validate {
     /// Blocks torn out of a tower [default: 1000].
     #[arg(long = "yanks", value_name = "N", value_parser = clap::value_parser!(u32).range(1..=100_000))]
     collapses: Option<u32>,
-    /// Data sheet of a real tower, see docs/validation.md; without `--only`, no other topic is measured.
+    /// Data sheet of a real tower, see docs/validation.md; without `--only`, no other topic is
+    /// measured.
     #[arg(long, value_name = "FILE")]
     real: Option<PathBuf>,
 }

@@ -1,12 +1,14 @@
-//! Cost of a frame in floating-point operations, from counts of each kind of work. A clock would measure the machine and its other load.
-//! The operations of each kind are read off the source, to one or two digits; comparisons, roots and divisions count as one.
+//! Cost of a frame in floating-point operations, from counts of each kind of work. A clock would
+//! measure the machine and its other load. The operations of each kind are read off the source, to
+//! one or two digits; comparisons, roots and divisions count as one.
 
 use teeter_dissertation::jenga3d::block::{CORNERS, SPRINGS};
 use teeter_dissertation::jenga3d::counters::{Counters, TESTS_OF_PAIR};
 use teeter_dissertation::jenga3d::{Disabling, Jenga3D, Method};
 use teeter_physics::{StepReport, World};
 
-/// Operations per second of the core for which frame rates are computed: one a cycle at 2 GHz, of the four and more that such cores do.
+/// Operations per second of the core for which frame rates are computed: one a cycle at 2 GHz, of
+/// the four and more that such cores do.
 pub const CORE: f64 = 2e9;
 
 /// Spring between two particles: elongation, its rate, and a force on both.
@@ -15,7 +17,8 @@ const SPRING: f64 = 35.0;
 const PARTICLE: f64 = 20.0;
 /// Comparison of two boxes.
 const BOXES: f64 = 6.0;
-/// Boxes of the parts of one block and the whole other: corners and faces in both orders, and edges.
+/// Boxes of the parts of one block and the whole other: corners and faces in both orders, and
+/// edges.
 const PARTS: f64 = 64.0;
 /// Coefficients of the cubic of a test, and whether it may vanish.
 const CUBIC: f64 = 150.0;

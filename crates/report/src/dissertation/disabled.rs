@@ -17,7 +17,8 @@ use crate::table::Table;
 pub const STEPS: u64 = 2 + ENGINE.len() as u64;
 /// Frames before the count.
 const SETTLING: u32 = 180;
-/// Frames of the count: the rule of the dissertation judges single steps, so its counts differ from frame to frame.
+/// Frames of the count: the rule of the dissertation judges single steps, so its counts differ from
+/// frame to frame.
 const FRAMES: usize = 30;
 /// Height of the pictures, m.
 const HEIGHT: f64 = 0.11;

@@ -61,7 +61,8 @@ impl Simulator for Engine {
                 let half = 0.5 * self.world.size(body);
                 (position, [half.x * DVec3::X, half.y * DVec3::Y, half.z * DVec3::Z].map(|axis| orientation * axis))
             }
-            // The surface follows the affine part of the motion of the particles, which are inside the block.
+            // The surface follows the affine part of the motion of the particles, which are inside
+            // the block.
             Some(lattice) => {
                 let mean =
                     |sign: &dyn Fn(usize) -> f64| (0..8).map(|c| lattice.particles[c] * sign(c)).sum::<DVec3>() / 8.0;

@@ -31,7 +31,8 @@ fn frame_rate(column: &Column, rows: u32) -> Result<f64, Error> {
     Ok(f64::from(TIMED) / clock.elapsed().as_secs_f64())
 }
 
-/// Maximum number of rows with a frame rate of at least `rate`, interpolated linearly between the points (rows, rate).
+/// Maximum number of rows with a frame rate of at least `rate`, interpolated linearly between the
+/// points (rows, rate).
 fn max_rows(points: &[(f64, f64)], rate: f64) -> String {
     match points.iter().rposition(|point| point.1 >= rate) {
         None => "none".into(),

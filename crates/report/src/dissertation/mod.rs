@@ -1,4 +1,5 @@
-//! Chapter of results of the 2003 dissertation, run again: its own figures, those of its method, and those of the engine.
+//! Chapter of results of the 2003 dissertation, run again: its own figures, those of its method,
+//! and those of the engine.
 
 mod column;
 mod cost;
@@ -33,7 +34,8 @@ pub fn part_names() -> impl Iterator<Item = &'static str> {
     PARTS.iter().map(|part| part.name)
 }
 
-/// Runs the parts named, all where none is, writes them as `index.html` into a folder and returns the path of the page.
+/// Runs the parts named, all where none is, writes them as `index.html` into a folder and returns
+/// the path of the page.
 ///
 /// # Errors
 /// When a scene cannot be built or the page cannot be written.
@@ -48,7 +50,8 @@ pub fn write(out: &Path, only: &[String]) -> Result<PathBuf, Error> {
     Ok(path)
 }
 
-/// Runs parts in parallel, except those that measure time: they run first, one by one on one thread.
+/// Runs parts in parallel, except those that measure time: they run first, one by one on one
+/// thread.
 fn run(parts: &[&Part]) -> Result<Vec<PageSection>, Error> {
     let bar = progress(parts.iter().map(|part| part.steps).sum(), "experiments");
     bar.tick();

@@ -23,7 +23,8 @@ const RED: Colour = [205.0, 62.0, 50.0];
 const BACKGROUND: Colour = [246.0, 245.0, 242.0];
 const FLOOR: Colour = [228.0, 226.0, 220.0];
 
-/// Share of the distance by which edges are nearer than the faces that they bound, so that they are visible.
+/// Share of the distance by which edges are nearer than the faces that they bound, so that they are
+/// visible.
 const EDGE_OFFSET: f64 = 5e-4;
 
 /// Blocks that are red.

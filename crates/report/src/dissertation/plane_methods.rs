@@ -1,4 +1,5 @@
-//! Methods of chapter 2 side by side in the plane, on stacks that fall onto themselves (section 3.4, Figures 3.3 and 3.5).
+//! Methods of chapter 2 side by side in the plane, on stacks that fall onto themselves (section
+//! 3.4, Figures 3.3 and 3.5).
 
 use glam::DVec2;
 use indicatif::ProgressBar;

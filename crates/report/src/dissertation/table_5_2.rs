@@ -35,7 +35,8 @@ const PRINTED: [[u64; 3]; 5] =
 
 const NAMES: [&str; 5] = ["no test", "boxes of blocks", "all boxes", "boxes, planes and lines", "collisions"];
 
-/// Comparison of the boxes of corners and faces: true as Figure 5.5 lists it, false with the indices that must be meant.
+/// Comparison of the boxes of corners and faces: true as Figure 5.5 lists it, false with the
+/// indices that must be meant.
 const READINGS: [(&str, bool); 2] = [("as listed", true), ("corrected", false)];
 
 /// Frames before the counts.

@@ -6,7 +6,8 @@ use flate2::bufread::MultiGzDecoder;
 use serde::Deserialize;
 use teeter_scene::{MAX_BYTES, Scene, SceneError};
 
-/// Maximum size of all lines together, unpacked, bytes: a small compressed file can hold any number of them.
+/// Maximum size of all lines together, unpacked, bytes: a small compressed file can hold any number
+/// of them.
 pub const MAX_UNPACKED: u64 = 1_000_000_000;
 
 /// Scene with its exact answer.

@@ -8,7 +8,8 @@ use teeter_study::Prediction;
 use super::labelled::Labelled;
 use crate::statistics::sorted_quantile;
 
-/// Margin from which on a label counts as clear, mm. Below it, a difference finer than the blocks are made decides.
+/// Margin from which on a label counts as clear, mm. Below it, a difference finer than the blocks
+/// are made decides.
 const CLEAR_MARGIN: f64 = 0.1;
 /// Error of an angle from which on it is counted, degrees.
 const MAX_ERROR: f64 = 0.2;

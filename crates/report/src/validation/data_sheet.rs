@@ -1,4 +1,5 @@
-//! Data sheet of a real tower, measured with a kitchen scale and a spring balance. `docs/validation.md` explains how to fill it in.
+//! Data sheet of a real tower, measured with a kitchen scale and a spring balance.
+//! `docs/validation.md` explains how to fill it in.
 
 use std::f64::consts::FRAC_PI_2;
 use std::str::FromStr;
@@ -17,7 +18,8 @@ const CLEARANCE: f64 = 1e-4;
 pub struct DataSheet {
     /// Tower with the measured sizes and masses.
     pub scene: Scene,
-    /// Measured breakaway force of each block, N: none where it was not pulled, infinite where it did not move.
+    /// Measured breakaway force of each block, N: none where it was not pulled, infinite where it
+    /// did not move.
     pub pulls: Vec<Option<f64>>,
     /// Error of the balance, N.
     pub error: f64,
@@ -126,7 +128,8 @@ impl Cells<'_> {
 }
 
 impl Lines {
-    /// Parses lines `name,value`, then a line of headings that begins with `row`, then a line a block.
+    /// Parses lines `name,value`, then a line of headings that begins with `row`, then a line a
+    /// block.
     fn parse(text: &str) -> Result<Self, DataSheetError> {
         let mut lines = Self { length: None, width: None, friction: None, error: BALANCE_ERROR, blocks: None };
         for (number, line) in text.lines().enumerate() {
@@ -156,7 +159,8 @@ impl Lines {
     }
 }
 
-/// Checks that each block has one line and each row a block, and returns the number of rows. The blocks are in order.
+/// Checks that each block has one line and each row a block, and returns the number of rows. The
+/// blocks are in order.
 fn count_rows(blocks: &[Line]) -> Result<u32, DataSheetError> {
     if let Some(pair) = blocks.windows(2).find(|pair| (pair[0].row, pair[0].column) == (pair[1].row, pair[1].column)) {
         return Err(DataSheetError::DuplicateBlock { row: pair[0].row, column: pair[0].column });

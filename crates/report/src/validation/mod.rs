@@ -21,8 +21,8 @@ use crate::error::Error;
 use crate::output::{create_folder, write_file};
 use crate::page::Page;
 
-/// Measures `topics`, all where none is named, and writes `validation.html` and `validation.json` into a folder.
-/// With a data sheet only the real tower and the topics named are measured.
+/// Measures `topics`, all where none is named, and writes `validation.html` and `validation.json`
+/// into a folder. With a data sheet only the real tower and the topics named are measured.
 ///
 /// # Errors
 /// When a scene cannot be built, the sheet has no measured forces, or a file cannot be written.

@@ -25,7 +25,8 @@ struct Comparison<'a> {
 }
 
 impl Comparison<'_> {
-    /// Returns true if the reading agrees with either direction, within the error of the balance (N) or [`TOLERANCE`].
+    /// Returns true if the reading agrees with either direction, within the error of the balance
+    /// (N) or [`TOLERANCE`].
     fn agrees(&self, error: f64) -> bool {
         self.block.both().into_iter().any(|force| match force {
             Some(force) => (force - self.pull).abs() <= error.max(TOLERANCE * self.pull.min(force)),

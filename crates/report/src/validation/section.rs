@@ -80,7 +80,7 @@ impl Section {
                 @for figure in &self.figures { tr { td { (figure.what) } td class=[result(figure)] { (figure.value) } } }
             }
             div.charts { @for chart in &self.charts { (chart) } }
-            @for table in &self.tables { (table) }
+            @for table in self.tables.iter().filter(|table| !table.rows.is_empty()) { (table) }
         };
         PageSection { id: self.name.to_owned(), title: self.title.to_owned(), content }
     }

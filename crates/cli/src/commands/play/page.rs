@@ -8,7 +8,8 @@ use rust_embed::RustEmbed;
 #[folder = "../../web/dist"]
 struct Dist;
 
-/// Admits nothing from other hosts. Workers and WebAssembly are the page's own; three.js and the panel set styles on elements.
+/// Admits nothing from other hosts. Workers and WebAssembly are the page's own; three.js and the
+/// panel set styles on elements.
 const CONTENT_SECURITY: &str = "default-src 'self'; script-src 'self' 'wasm-unsafe-eval'; worker-src 'self' blob:; style-src 'self' 'unsafe-inline'; \
      img-src 'self' data: blob:; object-src 'none'; base-uri 'none'; form-action 'none'; frame-ancestors 'none'";
 

@@ -18,7 +18,8 @@ pub struct Report {
     pub fell: Vec<u32>,
     /// Maximum displacement of any block from its start, at any time.
     pub max_displacement_mm: f64,
-    /// Maximum displacement of any block from its position at 2 s, at any time after; null in shorter runs.
+    /// Maximum displacement of any block from its position at 2 s, at any time after; null in
+    /// shorter runs.
     pub creep_mm: Option<f64>,
     /// Distance of the top below the sum of the tallest blocks, at the end.
     pub sink_mm: f64,
@@ -69,7 +70,8 @@ impl Report {
     }
 }
 
-/// Returns a length (mm) with three decimals where it is visible, as a power of ten where it is not.
+/// Returns a length (mm) with three decimals where it is visible, as a power of ten where it is
+/// not.
 fn millimetres(mm: f64) -> String {
     if mm == 0.0 || mm.abs() >= 0.01 { format!("{mm:.3} mm") } else { format!("{mm:.1e} mm") }
 }

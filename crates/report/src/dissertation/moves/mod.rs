@@ -1,4 +1,5 @@
-//! Twelve moves (section 6.1.2): blocks are taken out slowly and quickly, laid on top, and dropped from one and two centimetres.
+//! Twelve moves (section 6.1.2): blocks are taken out slowly and quickly, laid on top, and dropped
+//! from one and two centimetres.
 
 mod player;
 
@@ -18,8 +19,9 @@ use crate::table::Table;
 
 /// Speed of a quick move, m/s.
 ///
-/// A block that bears load drags the blocks above while it slides, for L / v, and so by about a L² / (2 v²), where a is their acceleration by
-/// friction: about 2 m/s² where 4-3 has half of the tower above it. That is 2 mm at 2 m/s, and 70 mm at 0.3 m/s.
+/// A block that bears load drags the blocks above while it slides, for L / v, and so by about a L²
+/// / (2 v²), where a is their acceleration by friction: about 2 m/s² where 4-3 has half of the
+/// tower above it. That is 2 mm at 2 m/s, and 70 mm at 0.3 m/s.
 const QUICKLY: f64 = 2.0;
 /// Height of the pictures, m.
 const HEIGHT: f64 = 0.18;
@@ -38,7 +40,8 @@ const fn step(action: Move, text: &'static str, real: &'static str, simulated: &
     Step { action, text, real, simulated }
 }
 
-/// Steps of the section. Step 2 names no column: 7-3 is next to the 7-2 of step 4, and over the gap, where it takes load off the 3-1 of step 3.
+/// Steps of the section. Step 2 names no column: 7-3 is next to the 7-2 of step 4, and over the
+/// gap, where it takes load off the 3-1 of step 3.
 const STEPS_OF_SECTION: [Step; 12] = [
     step(Take(3, 3, SLOWLY), "take 3-3 slowly", "no movement", "no movement"),
     step(Put(7, 3, LAID), "lay it on top (7-3)", "no movement", "moves a small amount and stops"),
@@ -129,8 +132,8 @@ mod tests {
         outcomes
     }
 
-    /// The real tower of section 6.1.2: loose blocks come out without a movement, 4-3, which bears load, drags the tower a little, and
-    /// blocks that are laid or dropped move it slightly.
+    /// The real tower of section 6.1.2: loose blocks come out without a movement, 4-3, which bears
+    /// load, drags the tower a little, and blocks that are laid or dropped move it slightly.
     #[test]
     fn the_engine_plays_all_moves_like_the_real_tower() {
         for column in &ENGINE {
@@ -148,7 +151,8 @@ mod tests {
         }
     }
 
-    /// Drop heights that differ by a twentieth. A block laid on the edge of a neighbour that a drop left askew would come down by 7 mm at the next.
+    /// Drop heights that differ by a twentieth. A block laid on the edge of a neighbour that a drop
+    /// left askew would come down by 7 mm at the next.
     #[test]
     fn drops_from_similar_heights_move_the_tower_a_little() {
         let rigid = ENGINE.iter().find(|column| column.name == "rigid").expect("there is a rigid column");

@@ -12,8 +12,9 @@ use crate::error::Error;
 pub const SLOWLY: f64 = 0.05;
 /// Height at which a block is let go that is laid down, m.
 pub const LAID: f64 = 2e-4;
-/// Loose blocks of the tower. 2-1 is among them: step 9 takes it "slowly" and calls it loose, the real tower does not move, and the simulated one is
-/// "weighed down on the loose block". The printed map has (00L) for the second row.
+/// Loose blocks of the tower. 2-1 is among them: step 9 takes it "slowly" and calls it loose, the
+/// real tower does not move, and the simulated one is "weighed down on the loose block". The
+/// printed map has (00L) for the second row.
 pub const LOOSE: &str = "(L00)-(L0L)-(00L)-(0L0)-(L0L)-(LLL)";
 
 /// Speed of a carried block, m/s.
@@ -43,12 +44,14 @@ pub struct Outcome {
     pub max_displacement: f64,
     /// Mean displacement of the blocks of the tower, m.
     pub mean_displacement: f64,
-    /// Distance of the moved block from its target at the end, m: of one taken from the hand, of one put from its position, level.
+    /// Distance of the moved block from its target at the end, m: of one taken from the hand, of
+    /// one put from its position, level.
     pub error: f64,
     /// True while all blocks have stayed in their rows since the first move.
     ///
-    /// A block leaves its row when its centre comes down below the lower face of the row. The limits of `teeter_study` are too narrow here: the method
-    /// of the dissertation sinks by more than 3 mm under load, and quick moves drag blocks by more than 5 mm without a fall.
+    /// A block leaves its row when its centre comes down below the lower face of the row. The
+    /// limits of `teeter_study` are too narrow here: the method of the dissertation sinks by more
+    /// than 3 mm under load, and quick moves drag blocks by more than 5 mm without a fall.
     pub stands: bool,
 }
 
@@ -71,8 +74,9 @@ pub fn play(column: &Column, moves: &[Move], mut observe: impl FnMut(&Tower, Out
     Ok(())
 }
 
-/// Direction to a player who faces the ends of the blocks of a row and counts its columns from left to right. The corner of the pictures
-/// shows both kinds of ends; for rows along x the player is at its right.
+/// Direction to a player who faces the ends of the blocks of a row and counts its columns from left
+/// to right. The corner of the pictures shows both kinds of ends; for rows along x the player is at
+/// its right.
 fn toward_player(row: usize) -> DVec3 {
     if row.is_multiple_of(2) { DVec3::X } else { -DVec3::Y }
 }
@@ -117,7 +121,8 @@ impl Player {
             .all(|(block, row)| Some(block) == held || in_row(block, row))
     }
 
-    /// Horizontal direction along a block of a row toward the player, and to the player's right, where the higher columns are.
+    /// Horizontal direction along a block of a row toward the player, and to the player's right,
+    /// where the higher columns are.
     fn axes(&self, row: usize, block: usize) -> (DVec3, DVec3) {
         let along = level(self.tower.along(block));
         let along = along * along.dot(toward_player(row)).signum();
@@ -130,8 +135,9 @@ impl Player {
         blocks.filter_map(|(column, block)| block.map(|block| (column, block)))
     }
 
-    /// Takes a block out toward the player and returns it with its distance from the hand at the end, m. The hand moves along the block
-    /// as it lies: moved level, it would lift a block of a leaning tower against the blocks above.
+    /// Takes a block out toward the player and returns it with its distance from the hand at the
+    /// end, m. The hand moves along the block as it lies: moved level, it would lift a block of a
+    /// leaning tower against the blocks above.
     fn take(&mut self, row: usize, column: usize, speed: f64) -> (usize, f64) {
         let block = self.blocks[row][column].take().expect("the moves take blocks that are there");
         let start = self.tower.centre(block);
@@ -146,7 +152,8 @@ impl Player {
         (block, self.tower.centre(block).distance(end))
     }
 
-    /// Lays or drops the block in hand and returns it with its horizontal distance from its position at the end, m.
+    /// Lays or drops the block in hand and returns it with its horizontal distance from its
+    /// position at the end, m.
     fn put(&mut self, row: usize, column: usize, height: f64) -> (usize, f64) {
         let (block, hand) = self.held.expect("the moves put blocks that were taken");
         let target = self.target(block, row, column);
@@ -167,8 +174,9 @@ impl Player {
         (block, (self.tower.centre(block) - target).truncate().length())
     }
 
-    /// Position of the block in hand at rest in a row and column of the tower as it stands, m: one pitch from the nearest block of the row, or
-    /// from the middle of the row below, and on the highest block of that row.
+    /// Position of the block in hand at rest in a row and column of the tower as it stands, m: one
+    /// pitch from the nearest block of the row, or from the middle of the row below, and on the
+    /// highest block of that row.
     fn target(&self, block: usize, row: usize, column: usize) -> DVec3 {
         let nearest = self.row(row).min_by_key(|(other, _)| other.abs_diff(column));
         let middle = match nearest {
@@ -179,7 +187,8 @@ impl Player {
         DVec3::new(middle.x, middle.y, highest + BlockPreset::Dissertation.size()[2])
     }
 
-    /// Position of `block` beside its neighbour in the row. Either may lie askew: the corners keep the distance that the sides would.
+    /// Position of `block` beside its neighbour in the row. Either may lie askew: the corners keep
+    /// the distance that the sides would.
     fn beside(&self, block: usize, (row, column): (usize, usize), (other, neighbour): (usize, usize)) -> DVec3 {
         let right = self.axes(row, neighbour).1;
         let half_width = |block: usize| {

@@ -29,14 +29,18 @@ const THROWS: [Throw; 5] = [
     Throw { from: DVec3::new(0.0, -0.2, 0.0), direction: DVec3::Y, yaw: 0.0 },
     Throw { from: DVec3::new(0.0, -0.2, 0.0), direction: DVec3::Y, yaw: FRAC_PI_4 },
 ];
-/// Speeds of the throws, m/s: 3 and 17 cm a frame, so that the ends of frames alone could miss a collision.
+/// Speeds of the throws, m/s: 3 and 17 cm a frame, so that the ends of frames alone could miss a
+/// collision.
 const SPEEDS: [f64; 2] = [2.0, 10.0];
-/// Distance from the line of flight within which neither block has made room, m: half of the thickness of a block.
+/// Distance from the line of flight within which neither block has made room, m: half of the
+/// thickness of a block.
 const SAME_LINE: f64 = 9e-3;
-/// Displacement of the hand in a frame as it drives a block into a tower, m: half of the thickness of a block.
+/// Displacement of the hand in a frame as it drives a block into a tower, m: half of the thickness
+/// of a block.
 const HAND_STEP: f64 = 9e-3;
 
-/// 2.7: blocks thrown at each other keep their order, and a hand pushes a block against a tower, not into it.
+/// 2.7: blocks thrown at each other keep their order, and a hand pushes a block against a tower,
+/// not into it.
 pub fn no_passing(subject: &Subject) -> Result<Answer, Error> {
     let mut through = 0;
     for throw in &THROWS {

@@ -27,7 +27,8 @@ pub fn no_crash(subject: &Subject) -> Result<Answer, Error> {
     Ok(Answer::new(lost == 0, format!("{lost} blocks lost when a hand shakes a tower for 3 s")))
 }
 
-/// 3.2: frame rate by the operations of the most expensive frame while a tower settles. Figure 6.23 is by a clock.
+/// 3.2: frame rate by the operations of the most expensive frame while a tower settles. Figure 6.23
+/// is by a clock.
 pub fn real_time(subject: &Subject) -> Result<Answer, Error> {
     let mut tower = subject.build_rows(18)?;
     let operations = (0..30).fold(0.0, |max: f64, _| {

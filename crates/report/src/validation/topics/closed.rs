@@ -71,7 +71,8 @@ pub fn measure(size: &Size) -> Result<Section, Error> {
     Ok(section)
 }
 
-/// Largest relative error of the breakaway forces of a column, and all forces over Coulomb's. A block that does not move has an infinite error.
+/// Largest relative error of the breakaway forces of a column, and all forces over Coulomb's. A
+/// block that does not move has an infinite error.
 fn column_errors(size: &Size) -> Result<(f64, Vec<f64>), Error> {
     let ratios = bodies::column(size)?;
     let error = |ratio: &f64| if ratio.is_nan() { f64::INFINITY } else { (ratio - 1.0).abs() };
@@ -119,7 +120,8 @@ fn incline(form: Form, section: &mut Section) -> Result<(), Error> {
     Ok(())
 }
 
-/// Errors of the times ω I / (µ m g d) after which spins end, with d the mean distance from the centre of the patch.
+/// Errors of the times ω I / (µ m g d) after which spins end, with d the mean distance from the
+/// centre of the patch.
 fn spins(form: Form, rows: &mut Rows) -> Result<Vec<f64>, Error> {
     let mut errors = Vec::new();
     for size in SPINNING {

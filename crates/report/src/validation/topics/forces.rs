@@ -73,7 +73,8 @@ fn exact_figures(section: &mut Section, all: &[BlockForces]) {
 
 /// Figures of the blocks without an exact answer.
 fn other_figures(section: &mut Section, all: &[BlockForces]) {
-    // Where heights differ by less than contacts give, the straight answer on springs of that stiffness stands for that of rigid blocks.
+    // Where heights differ by less than contacts give, the straight answer on springs of that
+    // stiffness stands for that of rigid blocks.
     let close: Vec<String> = all
         .iter()
         .filter(|block| !block.is_generic() && loose_by_rigid(block))
@@ -130,7 +131,8 @@ fn straight_answer(block: &BlockForces) -> Option<f64> {
     block.exact.filter(|exact| exact.is_exact() && block.is_generic()).map(|exact| exact.straight_n)
 }
 
-/// Answer with the tower above turning, N, where it differs from the straight one and the tower does not rock.
+/// Answer with the tower above turning, N, where it differs from the straight one and the tower
+/// does not rock.
 fn turning_answer(block: &BlockForces) -> Option<f64> {
     let turns = |exact: &Breakaway| !exact.is_exact() && !exact.rocks();
     block.exact.filter(turns).map(|exact| exact.turning_n)
@@ -146,7 +148,8 @@ fn loose_by_rigid(block: &BlockForces) -> bool {
     block.exact.is_some_and(|exact| exact.straight_n < LOOSE)
 }
 
-/// Number of loose blocks that start below [`LOOSE`] in both directions, and number of loose blocks.
+/// Number of loose blocks that start below [`LOOSE`] in both directions, and number of loose
+/// blocks.
 fn count_loose(blocks: &[BlockForces]) -> (usize, usize) {
     let loose: Vec<&BlockForces> = blocks.iter().filter(|b| b.is_generic() && loose_by_rigid(b)).collect();
     let found = |block: &&&BlockForces| block.both().iter().all(|force| force.is_some_and(|force| force < LOOSE));

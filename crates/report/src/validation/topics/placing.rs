@@ -17,7 +17,8 @@ const HEIGHTS: [f64; 3] = [5e-5, 0.01, 0.02];
 /// Height of the block above the top row while the tower settles, m.
 const WAITING: f64 = 0.03;
 
-/// Returns the scene with another block above its top row, across it, over the column `column` of three.
+/// Returns the scene with another block above its top row, across it, over the column `column` of
+/// three.
 fn with_block(scene: &Scene, column: usize) -> Scene {
     let mut scene = scene.clone();
     let last = scene.blocks.len() - 3;

@@ -33,7 +33,8 @@ struct Setting {
 /// Measurements of a tower.
 struct Tower {
     stands: bool,
-    /// Blocks for which X-ray and rigid blocks agree whether they are loose; none where limit analysis has no solution.
+    /// Blocks for which X-ray and rigid blocks agree whether they are loose; none where limit
+    /// analysis has no solution.
     agree: Option<usize>,
     /// Blocks below the top row.
     blocks: usize,

@@ -21,7 +21,8 @@ const TURNS: f64 = 0.9;
 /// Rotation below which the direction does not count, mrad/mm.
 const NO_ROTATION: f64 = 3.0;
 
-/// Rotations of the row above a block, mrad/mm, and the forces of the three models of rigid blocks, N.
+/// Rotations of the row above a block, mrad/mm, and the forces of the three models of rigid blocks,
+/// N.
 struct Measurement {
     block: String,
     /// Engine at 1e6 N/m, and in double precision at 1e7 N/m.
@@ -37,7 +38,8 @@ impl Measurement {
     }
 }
 
-/// Settled tower, in single precision and in double precision on stiff contacts, and its rigid twin.
+/// Settled tower, in single precision and in double precision on stiff contacts, and its rigid
+/// twin.
 struct Tower<'a> {
     scene: &'a Scene,
     worlds: [World; 2],

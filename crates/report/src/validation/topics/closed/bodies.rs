@@ -35,7 +35,8 @@ fn block(form: Form, size: [f64; 3], (friction, kinetic_friction): Friction) -> 
     Scene { friction, kinetic_friction, form, blocks: vec![block], ..scene }
 }
 
-/// Breakaway forces of the blocks of a column, in both directions, over Coulomb's; not a number where a block does not move.
+/// Breakaway forces of the blocks of a column, in both directions, over Coulomb's; not a number
+/// where a block does not move.
 pub fn column(size: &Size) -> Result<Vec<f64>, Error> {
     let scene = size.with_form(named("column").expect("the list of scenes has a column"));
     let blocks: Vec<u32> = (0..COLUMN).step_by(if size.quick { 4 } else { 1 }).collect();
@@ -73,8 +74,8 @@ pub fn incline_displacement(form: Form, slope: f64) -> Result<f64, Error> {
     Ok(world.pose(BLOCK).position.distance(start))
 }
 
-/// Time after which a block with edges `size` (m) that begins with [`SPIN`] no longer spins, s, from that until it has a hundredth of its spin: friction
-/// is constant.
+/// Time after which a block with edges `size` (m) that begins with [`SPIN`] no longer spins, s,
+/// from that until it has a hundredth of its spin: friction is constant.
 pub fn spin_time(form: Form, size: [f64; 3]) -> Result<f64, Error> {
     let short = Params { frame: 1.0 / 2400.0, ..params() };
     let mut world = settled(&block(form, size, (FRICTION, None)), short)?;
