@@ -81,9 +81,10 @@ pub fn run(bar: &ProgressBar) -> Result<Markup, Error> {
     };
     Ok(html! {
         p {
-            "The dissertation's graph has one figure in the text: seven rows at 12 frames a second, its minimum for real time. Here a frame is a \
-             sixtieth of a second of simulated time, so 60 frames a second are real time and fewer are slow motion. Timed from a quarter to three \
-             quarters of a second after the start."
+            "The dissertation's graph has one figure in the text: seven rows at 12 frames a \
+             second, its minimum for real time. Here a frame is a sixtieth of a second of \
+             simulated time, so 60 frames a second are real time and fewer are slow motion. Timed \
+             from a quarter to three quarters of a second after the start."
         }
         (chart) (table)
     })

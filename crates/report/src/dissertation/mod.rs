@@ -75,14 +75,16 @@ fn run(parts: &[&Part]) -> Result<Vec<PageSection>, Error> {
 fn page(sections: Vec<PageSection>) -> Page {
     let introduction = html! {
         p {
-            "The results of chapter 6 of \"A Real-Time Physics Simulator for Jenga\" (Matthew South, 2003), run again: the dissertation's own \
-             figures, those of its method in a new implementation, and those of the engine of Teeter. Lengths are in millimetres, times are \
-             those of one core."
+            "The results of chapter 6 of \"A Real-Time Physics Simulator for Jenga\" (Matthew \
+             South, 2003), run again: the dissertation's own figures, those of its method in a new \
+             implementation, and those of the engine of Teeter. Lengths are in millimetres, times \
+             are those of one core."
         }
         p {
-            i { "2003 method" } " is the method as described; " i { "2003 with 6.3" } " adds the future work of section 6.3, static friction and \
-             rest by the motion of a whole block. " i { "Lattice" } " and " i { "rigid" } " are the engine, with blocks of eight particles and 28 \
-             springs, and with rigid ones."
+            i { "2003 method" } " is the method as described; " i { "2003 with 6.3" } " adds the \
+                future work of section 6.3, static friction and rest by the motion of a whole \
+                block. " i { "Lattice" } " and " i { "rigid" } " are the engine, with blocks of \
+                eight particles and 28 springs, and with rigid ones."
         }
     };
     Page { title: "The dissertation's results, again".into(), introduction, sections }

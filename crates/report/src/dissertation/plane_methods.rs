@@ -97,10 +97,12 @@ pub fn run(bar: &ProgressBar) -> Result<Markup, Error> {
     let limit = Constants::of(Method::Constraint).max_iterations;
     Ok(html! {
         p {
-            "Blocks 1 mm above each other fall into a stack. Each cell has the maximum number of iterations of a step (pairs resolved, impulses, \
-             or rounds over the pairs; the penalty method has none) and the distance of the top block from its position at rest after 2 s. The \
-             constraint method resolves pair by pair, which in a stack undoes what it did before: Figure 3.3. Its limit of " (limit) " pairs a \
-             step keeps it from never ending. Springs give and need a couple of rounds: Figure 3.5."
+            "Blocks 1 mm above each other fall into a stack. Each cell has the maximum number of \
+             iterations of a step (pairs resolved, impulses, or rounds over the pairs; the penalty \
+             method has none) and the distance of the top block from its position at rest after 2 \
+             s. The constraint method resolves pair by pair, which in a stack undoes what it did \
+             before: Figure 3.3. Its limit of " (limit) " pairs a step keeps it from never ending. \
+             Springs give and need a couple of rounds: Figure 3.5."
         }
         (Table::new(head, rows))
     })

@@ -45,8 +45,8 @@ pub fn run(bar: &ProgressBar) -> Result<Markup, Error> {
     let (rows, pictures): (Vec<_>, Vec<_>) = results.into_iter().unzip();
     Ok(html! {
         p {
-            "The dissertation shows the lower rows of a full tower pressed flat, and gives no figure. The top of a tower of 18 rows, 324 mm high, \
-             sinks in a second by:"
+            "The dissertation shows the lower rows of a full tower pressed flat, and gives no \
+             figure. The top of a tower of 18 rows, 324 mm high, sinks in a second by:"
         }
         (Table::new(["stiffness of a spring, N/m", "sink, mm"], rows))
         @for picture in pictures { (picture) }

@@ -88,8 +88,9 @@ pub fn run(bar: &ProgressBar) -> Result<Markup, Error> {
     Ok(html! {
         (Table::new(headings(&["test", "dissertation: real tower and its own"]), rows))
         p {
-            "In brackets: the maximum displacement of a block in 5 s. Test 2 is close to its limit: with blocks of the nominal size its upper two \
-             blocks are 0.15 mm short of balance, so that it falls, and a top block laid 1 mm further out stands."
+            "In brackets: the maximum displacement of a block in 5 s. Test 2 is close to its \
+             limit: with blocks of the nominal size its upper two blocks are 0.15 mm short of \
+             balance, so that it falls, and a top block laid 1 mm further out stands."
         }
         @for ((n, (_, configuration, _)), results) in tests() {
             h3 { "Test " (n + 1) ": " (configuration) }

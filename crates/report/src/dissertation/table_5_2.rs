@@ -82,16 +82,22 @@ pub fn counts(bar: &ProgressBar) -> Result<Markup, Error> {
     Ok(html! {
         (table(&counted))
         p {
-            "The printed columns are headed 6, 9 and 18 blocks. They are rows: 168 n (n - 1) tests of section 4.4.3 for 18, 27 and 54 blocks, \
-             twice because " code { "CollideBlocks" } " is called twice a step, give " (formula.join(", ")) ", as printed. The printed second line \
-             is exactly nine pairs for each two neighbouring rows. The counts of this implementation are means over 160 steps of a tower that has \
-             settled for half a second; blocks of one row have their boxes 0.3 mm apart, and count once they have moved together."
+            "The printed columns are headed 6, 9 and 18 blocks. They are rows: 168 n (n - 1) tests \
+             of section 4.4.3 for 18, 27 and 54 blocks, twice because " code { "CollideBlocks" } " \
+             is called twice a step, give " (formula.join(", ")) ", as printed. The printed second \
+             line is exactly nine pairs for each two neighbouring rows. The counts of this \
+             implementation are means over 160 steps of a tower that has settled for half a \
+             second; blocks of one row have their boxes 0.3 mm apart, and count once they have \
+             moved together."
         }
         p {
-            "Figure 5.5 compares in the first of its inner loops, over the corners p1 of one block and the faces f2 of the other, the boxes of p2 \
-             and f1. So it keeps each corner for every face that meets the other block, near or not. Counted as listed, all lines are close to \
-             the printed ones, and four to five times as many tests are left as there are collisions, as the text says. Corrected, the boxes \
-             leave a sixth to an eighth of that. The collisions are the same except for corners that pass a face by less than 0.1 µm."
+            "Figure 5.5 compares in the first of its inner loops, over the corners p1 of one block \
+             and the faces f2 of the other, the boxes of p2 and f1. So it keeps each corner for \
+             every face that meets the other block, near or not. Counted as listed, all lines are \
+             close to the printed ones, and four to five times as many tests are left as there are \
+             collisions, as the text says. Corrected, the boxes leave a sixth to an eighth of \
+             that. The collisions are the same except for corners that pass a face by less than \
+             0.1 µm."
         }
     })
 }
@@ -134,7 +140,8 @@ pub fn culling(bar: &ProgressBar) -> Result<Markup, Error> {
     let rows = (0..LEVELS.len()).map(row).collect();
     Ok(html! {
         p {
-            "The dissertation: \"an overall speed increase for the simulation of at least 10 fold\". Six rows, the whole step with its forces:"
+            "The dissertation: \"an overall speed increase for the simulation of at least 10 \
+             fold\". Six rows, the whole step with its forces:"
         }
         (Table::new(["tests before the exact one", "a step, µs", "speed-up"], rows))
     })

@@ -42,7 +42,8 @@ pub enum DataSheetError {
     },
     /// Line before the blocks that begins with no known name.
     #[error(
-        "line {line}: `{name}` is not known, expected length_mm, width_mm, friction, incline_deg, balance_error_N or row"
+        "line {line}: `{name}` is not known, expected length_mm, width_mm, friction, incline_deg, \
+         balance_error_N or row"
     )]
     UnknownName {
         /// Line, from 1.
@@ -218,7 +219,8 @@ impl FromStr for DataSheet {
 mod tests {
     use super::*;
 
-    const GOOD: &str = "length_mm,75\nwidth_mm,24.9\nincline_deg,20  # mean of ten\nrow,column,height_mm,mass_g,pull_N\n1,2,15.0,14,\n2,1,15.0,14,0.05\n2,3,15.1,14,-\n";
+    const GOOD: &str = "length_mm,75\nwidth_mm,24.9\nincline_deg,20  # mean of \
+        ten\nrow,column,height_mm,mass_g,pull_N\n1,2,15.0,14,\n2,1,15.0,14,0.05\n2,3,15.1,14,-\n";
 
     #[test]
     fn a_sheet_becomes_a_tower() {

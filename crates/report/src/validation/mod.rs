@@ -60,7 +60,8 @@ fn page(size: &Size, sections: &[Section]) -> Page {
     };
     let introduction = html! {
         p {
-            "Version " (env!("CARGO_PKG_VERSION")) ", " (size.towers) " towers of " (size.rows) " rows of each kind from seed "
+            "Version " (env!("CARGO_PKG_VERSION")) ", " (size.towers) " towers of " (size.rows) " \
+             rows of each kind from seed "
             (size.seed) ", " (form) " blocks"
             @if size.quick { ", the small size that only shows that everything runs" }
             ". Nothing sleeps. All figures are in " a href="validation.json" { "validation.json" } "."

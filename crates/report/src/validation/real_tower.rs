@@ -58,8 +58,9 @@ pub fn measure(sheet: &DataSheet) -> Result<Section, Error> {
     let mut section = Section::new(
         "real",
         "A real tower",
-        "Heights, masses, friction and pulls come from a data sheet. The tower is built from them at 3e6 N/m, and each block is pulled \
-         in both directions. A reading counts as met where it is within the error of the balance, or 15 % of the force, of one of the two.",
+        "Heights, masses, friction and pulls come from a data sheet. The tower is built from them \
+         at 3e6 N/m, and each block is pulled in both directions. A reading counts as met where it \
+         is within the error of the balance, or 15 % of the force, of one of the two.",
     );
     if sheet.pulls.iter().all(Option::is_none) {
         return Err(Error::NoPulls);

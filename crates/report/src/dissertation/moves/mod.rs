@@ -106,10 +106,13 @@ pub fn run(bar: &ProgressBar) -> Result<Markup, Error> {
     let rows = STEPS_OF_SECTION.iter().enumerate().map(row).collect();
     Ok(html! {
         p {
-            "Six rows with the loose blocks " (LOOSE) ", loose by 0.2 mm; 2-1 is among them, which step 9 calls loose and the printed map does not. \
-             Slowly is " (format!("{:.0}", 1e2 * SLOWLY)) " cm/s, quickly " (format!("{QUICKLY:.0}")) " m/s, towards the player at the right of the \
-             corner in the pictures or at its left. Displacements of the tower by each move in mm: the maximum of any block, in brackets the mean; \
-             then the distance of the block in hand from the hand or from its target. A column ends where its tower has fallen."
+            "Six rows with the loose blocks " (LOOSE) ", loose by 0.2 mm; 2-1 is among them, which \
+             step 9 calls loose and the printed map does not. Slowly is \
+             " (format!("{:.0}", 1e2 * SLOWLY)) " cm/s, quickly " (format!("{QUICKLY:.0}")) " m/s, \
+             towards the player at the right of the corner in the pictures or at its left. \
+             Displacements of the tower by each move in mm: the maximum of any block, in brackets \
+             the mean; then the distance of the block in hand from the hand or from its target. A \
+             column ends where its tower has fallen."
         }
         (Table::of_words(headings(&["move", "real tower (dissertation)", "its simulator"]), rows))
         @for (n, step) in STEPS_OF_SECTION.iter().enumerate() {

@@ -51,7 +51,8 @@ pub fn no_passing(subject: &Subject) -> Result<Answer, Error> {
     let depth = driven_depth(subject)?;
     let (throws, depth_mm) = (THROWS.len() * SPEEDS.len(), mm(depth));
     let evidence = format!(
-        "of {throws} throws at up to 10 m/s {through} go through; a hand drives a block {depth_mm} mm into others of a tower"
+        "of {throws} throws at up to 10 m/s {through} go through; a hand drives a block {depth_mm} \
+         mm into others of a tower"
     );
     Ok(Answer::new(through == 0 && depth < 4.5e-3, evidence))
 }

@@ -37,7 +37,8 @@ pub fn real_time(subject: &Subject) -> Result<Answer, Error> {
     });
     let (rate, millions) = (cost::CORE / operations, 1e-6 * operations);
     let evidence = format!(
-        "18 rows take {millions:.0} million operations a frame at most: {rate:.0} frames a second of a core that does one a cycle at 2 GHz"
+        "18 rows take {millions:.0} million operations a frame at most: {rate:.0} frames a second \
+         of a core that does one a cycle at 2 GHz"
     );
     Ok(Answer::new(rate >= MIN_FRAME_RATE, evidence))
 }

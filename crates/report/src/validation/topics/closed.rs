@@ -43,8 +43,9 @@ pub fn measure(size: &Size) -> Result<Section, Error> {
     let mut section = Section::new(
         "closed",
         "Closed forms",
-        "One block or a column of ten, where mechanics has a formula. A column is pulled at each of its blocks in turn by a force that grows until \
-         it slips. The grain of wood is not modelled: friction is the same in all directions, which is measured here.",
+        "One block or a column of ten, where mechanics has a formula. A column is pulled at each \
+         of its blocks in turn by a force that grows until it slips. The grain of wood is not \
+         modelled: friction is the same in all directions, which is measured here.",
     );
     let (mut rows, form) = (Rows::default(), size.form);
     let (push, pushes) = column_errors(size)?;

@@ -37,10 +37,12 @@ pub fn measure(size: &Size) -> Result<Section, Error> {
     let mut section = Section::new(
         "yanks",
         "Sudden pulls and collapses",
-        "Blocks chosen at random are torn out of settled towers (k = 1e6 N/m) by a strong arm, 100 N, forwards, backwards, to both sides, up and \
-         down at 1, 2, 5 and 10 m/s; a tenth of the cases tears two whole low rows away, a collapse. Overlap is computed by separating axes of \
-         its own at each 1/240 s, and along the straight line between two samples in steps of less than a quarter of a block: a block that \
-         goes through another, or through the floor, has been inside it by 5 mm or more there.",
+        "Blocks chosen at random are torn out of settled towers (k = 1e6 N/m) by a strong arm, 100 \
+         N, forwards, backwards, to both sides, up and down at 1, 2, 5 and 10 m/s; a tenth of the \
+         cases tears two whole low rows away, a collapse. Overlap is computed by separating axes \
+         of its own at each 1/240 s, and along the straight line between two samples in steps of \
+         less than a quarter of a block: a block that goes through another, or through the floor, \
+         has been inside it by 5 mm or more there.",
     );
     let scenes = size.towers(size.towers, 1e6, &size.tower_options());
     let short = Params { frame: FRAME, ..params() };

@@ -58,10 +58,12 @@ pub fn measure(size: &Size) -> Result<Section, Error> {
     let mut section = Section::new(
         "extraction",
         "Loose blocks taken out by the hand",
-        "Every block that the X-ray calls loose is drawn out of its settled tower (k = 1e6 N/m, and at 5 cm/s 3e6 as well) by the hand of the \
-         game: it holds the end of the block, keeps it straight and at its height, with at most 4 N. The block is out when it follows the hand \
-         past its own length. The displacement of the others is the maximum of any other block at any time until a second later, sway \
-         included: the block drags the tower along by its friction, and contacts give.",
+        "Every block that the X-ray calls loose is drawn out of its settled tower (k = 1e6 N/m, \
+         and at 5 cm/s 3e6 as well) by the hand of the game: it holds the end of the block, keeps \
+         it straight and at its height, with at most 4 N. The block is out when it follows the \
+         hand past its own length. The displacement of the others is the maximum of any other \
+         block at any time until a second later, sway included: the block drags the tower along by \
+         its friction, and contacts give.",
     );
     let settled = |stiffness| towers(&size.towers(size.towers, stiffness, &size.tower_options()));
     let (soft, stiff) = (settled(STIFFNESS)?, settled(REFERENCE_STIFFNESS)?);

@@ -18,12 +18,15 @@ pub fn measure(size: &Size) -> Result<Section, Error> {
     let mut section = Section::new(
         "forces",
         "Breakaway force of each block",
-        "Each block of a settled tower is pulled along its length in both directions by a force that grows slowly; the last states before it slides are \
-         tried again with the force constant, so that inertia does not count. Rigid blocks give three forces from the same normal forces: sliding \
-         straight; with the tower above turning; and the one at which the tower rocks instead. The answer is exact where the first two agree \
-         within 1 % and the tower does not rock before, and where contacts of the scene's stiffness, at rest, give the same as rigid ones; \
-         elsewhere the engine is compared with the range from turning to straight. A block leans with the tower, so its two directions differ \
-         by twice its weight times the slope: the mean of both is compared.",
+        "Each block of a settled tower is pulled along its length in both directions by a force \
+         that grows slowly; the last states before it slides are tried again with the force \
+         constant, so that inertia does not count. Rigid blocks give three forces from the same \
+         normal forces: sliding straight; with the tower above turning; and the one at which the \
+         tower rocks instead. The answer is exact where the first two agree within 1 % and the \
+         tower does not rock before, and where contacts of the scene's stiffness, at rest, give \
+         the same as rigid ones; elsewhere the engine is compared with the range from turning to \
+         straight. A block leans with the tower, so its two directions differ by twice its weight \
+         times the slope: the mean of both is compared.",
     );
     let stiffest = if size.quick { 1e6 } else { 3e6 };
     let all = force_maps(size, size.towers, stiffest)?;
@@ -82,7 +85,8 @@ fn other_figures(section: &mut Section, all: &[BlockForces]) {
         .map(|(springs, engine)| format!("{springs:.3} N, {engine:.3} N"))
         .collect();
     section.inform(
-        "blocks that only rigid blocks call loose, for heights differ by less than contacts give: straight pull on springs at rest, and measured",
+        "blocks that only rigid blocks call loose, for heights differ by less than contacts give: \
+         straight pull on springs at rest, and measured",
         if close.is_empty() { "none".into() } else { close.join("; ") },
     );
     let turning = pairs(all, turning_answer);

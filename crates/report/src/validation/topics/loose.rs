@@ -54,9 +54,10 @@ pub fn measure(size: &Size) -> Result<Section, Error> {
     let mut section = Section::new(
         "loose",
         "Loose blocks and the scatter of heights",
-        "The X-ray of settled towers: a block below the top row is loose when nothing presses on it. Rigid blocks give the same share by exact \
-         mechanics. The ratio is that of the median tightness of tight blocks to that of loose ones. MuJoCo's towers of jenga_sim_vision \
-         have 19 % loose at a scatter of 30 um and 23 % at 60 um (6 seeds, most of which fall).",
+        "The X-ray of settled towers: a block below the top row is loose when nothing presses on \
+         it. Rigid blocks give the same share by exact mechanics. The ratio is that of the median \
+         tightness of tight blocks to that of loose ones. MuJoCo's towers of jenga_sim_vision have \
+         19 % loose at a scatter of 30 um and 23 % at 60 um (6 seeds, most of which fall).",
     );
     let deviations: &[f64] = if size.quick { &[0.0, 0.1] } else { &[0.0, 0.03, 0.06, 0.1, 0.15, 0.2, 0.25, 0.3] };
     let bar = progress(deviations.len() as u64 * size.towers, "towers");

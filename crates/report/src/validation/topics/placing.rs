@@ -41,9 +41,10 @@ pub fn measure(size: &Size) -> Result<Section, Error> {
     let mut section = Section::new(
         "placing",
         "Placing and dropping on top",
-        "A hand holds a block across the full top row of a settled tower, left, middle and right, and lets go: 0.05 mm above it, which is \
-         placing, and 10 and 20 mm above it. k = 1e6 N/m, restitution 0.5. Rest begins when nothing has moved faster than 0.1 mm/s for a \
-         quarter of a second.",
+        "A hand holds a block across the full top row of a settled tower, left, middle and right, \
+         and lets go: 0.05 mm above it, which is placing, and 10 and 20 mm above it. k = 1e6 N/m, \
+         restitution 0.5. Rest begins when nothing has moved faster than 0.1 mm/s for a quarter of \
+         a second.",
     );
     let scenes = size.towers(size.towers, 1e6, &size.tower_options());
     let cases: Vec<(&Scene, usize)> = scenes.iter().flat_map(|s| (0..3).map(move |c| (s, c))).collect();

@@ -130,8 +130,10 @@ pub fn measure(size: &Size) -> Result<Section, Error> {
     let mut section = Section::new(
         "range",
         "Block presets, friction and stiffness",
-        "For each block preset, friction and stiffness towers settle. The X-ray is compared with rigid blocks; three loose blocks of each tower are \
-         pulled until they slide (friction times their weight is exact, the lean of the tower adds its slope) and taken out by the hand at 5 cm/s.",
+        "For each block preset, friction and stiffness towers settle. The X-ray is compared with \
+         rigid blocks; three loose blocks of each tower are pulled until they slide (friction \
+         times their weight is exact, the lean of the tower adds its slope) and taken out by the \
+         hand at 5 cm/s.",
     );
     let (settings, count) = (settings(size.quick), size.share(4));
     let bar = progress(settings.len() as u64 * count, "towers");

@@ -14,8 +14,9 @@ pub fn measure(size: &Size) -> Result<Section, Error> {
     let mut section = Section::new(
         "rest",
         "Long rest",
-        "Towers stand without sleep, k = 1e6 N/m, for the number of hours named, of all of them together. Creep is the maximum displacement of \
-         any block from the settled tower, sampled every minute; energies are those of the motion and of the heights of the centres.",
+        "Towers stand without sleep, k = 1e6 N/m, for the number of hours named, of all of them \
+         together. Creep is the maximum displacement of any block from the settled tower, sampled \
+         every minute; energies are those of the motion and of the heights of the centres.",
     );
     let scenes = size.towers(size.towers, 1e6, &size.tower_options());
     let seconds = 3600.0 * size.hours / scenes.len() as f64;

@@ -90,10 +90,12 @@ pub fn measure(size: &Size) -> Result<Section, Error> {
     let mut section = Section::new(
         "turning",
         "Rotation of a tower above a tight block",
-        "A tight block beside the middle is drawn 2 mm at 5 mm/s by a hand that leaves it free to turn; the figure is the rotation of the row \
-         above for each millimetre. Rigid blocks move so that, of all motions with the normal forces of rest, friction takes the least power, with \
-         friction on the engine's lever, at the corners of each patch, and on a mesh of 12 x 12 points under a pressure that varies evenly (which \
-         has the torsion of theory by itself). The engine runs in single precision at 1e6 N/m and in double at 1e7.",
+        "A tight block beside the middle is drawn 2 mm at 5 mm/s by a hand that leaves it free to \
+         turn; the figure is the rotation of the row above for each millimetre. Rigid blocks move \
+         so that, of all motions with the normal forces of rest, friction takes the least power, \
+         with friction on the engine's lever, at the corners of each patch, and on a mesh of 12 x \
+         12 points under a pressure that varies evenly (which has the torsion of theory by \
+         itself). The engine runs in single precision at 1e6 N/m and in double at 1e7.",
     );
     let scenes = size.towers(size.share(5), 1e6, &size.tower_options());
     let mut all: Vec<Measurement> = Vec::new();

@@ -21,8 +21,9 @@ pub fn measure(size: &Size) -> Result<Section, Error> {
     let mut section = Section::new(
         "tilt",
         "Tilt",
-        "The angle of the floor at which a tower collapses, by bisection with constant gravity, against limit analysis. Towers whose answer \
-         depends on contact between the sides of neighbours are left out of the figures and drawn as a series of their own.",
+        "The angle of the floor at which a tower collapses, by bisection with constant gravity, \
+         against limit analysis. Towers whose answer depends on contact between the sides of \
+         neighbours are left out of the figures and drawn as a series of their own.",
     );
     let (mut plain, mut sides, mut errors) = (Vec::new(), Vec::new(), Vec::new());
     for (tower, prediction) in towers.iter().zip(&predictions) {
