@@ -65,7 +65,7 @@ impl Tower {
         Ok(tower)
     }
 
-    /// Pulls a loose block both ways and takes it out.
+    /// Pulls a loose block in both directions and takes it out.
     fn pull(&mut self, scene: &Scene, world: &World, i: usize) {
         let (block, body) = (&scene.blocks[i], BodyId(i as u32));
         let axis = long_axis(block).extend(0.0);
