@@ -52,12 +52,27 @@ impl Axis {
                 Coordinate::Linear((low..if low < high { high } else { low + step }).into())
             }
             Scale::Log => {
-                let (low, high) = (libm::floor(libm::log10(low)), libm::ceil(libm::log10(high)));
-                let power = |exponent| libm::pow(10.0, exponent);
-                Coordinate::Log((power(low)..power(if low < high { high } else { low + 1.0 })).log_scale().into())
+                let low = libm::floor(libm::log10(low)) as i32;
+                let high = (libm::ceil(libm::log10(high)) as i32).max(low + 1);
+                Coordinate::Log { log: (power(low)..power(high)).log_scale().into(), low, high }
             }
         }
     }
+}
+
+/// Returns a power of ten.
+fn power(exponent: i32) -> f64 {
+    libm::pow(10.0, f64::from(exponent))
+}
+
+/// Returns powers of ten from `low` to `high` (exponents), at most `count`, or also twice and five
+/// times these on a short axis.
+fn log_ticks(low: i32, high: i32, count: usize) -> Vec<f64> {
+    let decades = (high - low) as usize;
+    let factors: &[f64] = if decades <= 2 { &[1.0, 2.0, 5.0] } else { &[1.0] };
+    let powers = (low..=high).step_by(1 + decades / count.max(1)).map(power);
+    let ticks = powers.flat_map(|power| factors.iter().map(move |factor| factor * power));
+    ticks.filter(|tick| *tick <= power(high)).collect()
 }
 
 /// Returns 1, 2 or 5 times a power of ten, about a fifth of a length.
@@ -74,7 +89,12 @@ fn round_step(length: f64) -> f64 {
 /// Map from values to pixels, linear or logarithmic.
 pub(super) enum Coordinate {
     Linear(RangedCoordf64),
-    Log(LogCoord<f64>),
+    Log {
+        log: LogCoord<f64>,
+        /// Exponents of the ends of the axis.
+        low: i32,
+        high: i32,
+    },
 }
 
 impl Ranged for Coordinate {
@@ -84,21 +104,21 @@ impl Ranged for Coordinate {
     fn map(&self, value: &f64, limit: (i32, i32)) -> i32 {
         match self {
             Self::Linear(linear) => linear.map(value, limit),
-            Self::Log(log) => log.map(value, limit),
+            Self::Log { log, .. } => log.map(value, limit),
         }
     }
 
     fn key_points<Hint: KeyPointHint>(&self, hint: Hint) -> Vec<f64> {
         match self {
             Self::Linear(linear) => linear.key_points(hint),
-            Self::Log(log) => log.key_points(hint),
+            Self::Log { low, high, .. } => log_ticks(*low, *high, hint.max_num_points()),
         }
     }
 
     fn range(&self) -> Range<f64> {
         match self {
             Self::Linear(linear) => linear.range(),
-            Self::Log(log) => log.range(),
+            Self::Log { log, .. } => log.range(),
         }
     }
 }
@@ -125,6 +145,13 @@ mod tests {
         assert_eq!(range(Axis::new("x"), &[2.0]), 2.0..3.0);
         let log = range(Axis::log("x"), &[3e-4, 20.0]);
         assert!((log.start / 1e-4 - 1.0).abs() < 1e-12 && (log.end / 100.0 - 1.0).abs() < 1e-12, "{log:?}");
+    }
+
+    #[test]
+    fn ticks_of_a_logarithmic_axis_contain_both_ends() {
+        assert_eq!(log_ticks(-2, -1, 8), [0.01, 0.02, 0.05, 0.1]);
+        assert_eq!(log_ticks(0, 3, 8), [1.0, 10.0, 100.0, 1000.0]);
+        assert_eq!(log_ticks(0, 10, 6), [1.0, 100.0, 1e4, 1e6, 1e8, 1e10]);
     }
 
     #[test]
