@@ -4,8 +4,8 @@ use glam::{DQuat, DVec3};
 use teeter_physics::{BodyId, BuildError, Grip, Hand, Input, Params, Pose, Twist, World};
 use teeter_scene::{Form, Scene};
 
+use super::backend::{Backend, FrameReport, Grasp};
 use super::cost;
-use super::simulator::{FrameReport, Grasp, Simulator};
 
 /// Engine of Teeter.
 pub struct Engine {
@@ -38,7 +38,7 @@ impl Engine {
     }
 }
 
-impl Simulator for Engine {
+impl Backend for Engine {
     fn len(&self) -> usize {
         self.world.len()
     }

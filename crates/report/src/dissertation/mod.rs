@@ -1,6 +1,7 @@
 //! Chapter of results of the 2003 dissertation, run again: its own figures, those of its method,
 //! and those of the engine.
 
+mod backend;
 mod column;
 mod cost;
 mod disabled;
@@ -12,7 +13,6 @@ mod parts;
 mod picture;
 mod plane_methods;
 mod requirements;
-mod simulator;
 mod soft_springs;
 mod springs;
 mod static_tests;

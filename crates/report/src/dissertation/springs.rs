@@ -4,8 +4,8 @@ use glam::DVec3;
 use teeter_dissertation::jenga3d::{self, BuildError, Constants, Jenga3D};
 use teeter_scene::Scene;
 
+use super::backend::{Backend, FrameReport, Grasp};
 use super::cost;
-use super::simulator::{FrameReport, Grasp, Simulator};
 
 /// Simulator of the dissertation.
 pub struct Springs(pub Jenga3D);
@@ -20,7 +20,7 @@ impl Springs {
     }
 }
 
-impl Simulator for Springs {
+impl Backend for Springs {
     fn len(&self) -> usize {
         self.0.model.blocks.len()
     }

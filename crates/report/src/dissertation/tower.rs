@@ -2,26 +2,26 @@
 
 use glam::DVec3;
 
-use super::simulator::{FrameReport, Grasp, Simulator};
+use super::backend::{Backend, FrameReport, Grasp};
 
 /// Frames per second.
 pub const FRAME_RATE: f64 = 60.0;
 
 /// Tower under a simulator.
 pub struct Tower {
-    simulator: Box<dyn Simulator>,
+    backend: Box<dyn Backend>,
     last: FrameReport,
 }
 
 impl Tower {
     /// Tower of a simulator before its first frame.
-    pub fn new(simulator: impl Simulator + 'static) -> Self {
-        Self { simulator: Box::new(simulator), last: FrameReport::default() }
+    pub fn new(backend: impl Backend + 'static) -> Self {
+        Self { backend: Box::new(backend), last: FrameReport::default() }
     }
 
     /// Advances by a frame under a hand.
     pub fn step(&mut self, hand: Option<&Grasp>) {
-        self.last = self.simulator.step(hand);
+        self.last = self.backend.step(hand);
     }
 
     /// Advances by `frames` without a hand.
@@ -33,7 +33,7 @@ impl Tower {
 
     /// Sets the velocity of a block, m/s.
     pub fn set_velocity(&mut self, block: usize, velocity: DVec3) {
-        self.simulator.set_velocity(block, velocity);
+        self.backend.set_velocity(block, velocity);
     }
 
     /// Floating-point operations of the last frame.
@@ -48,12 +48,12 @@ impl Tower {
 
     /// Number of blocks.
     pub fn len(&self) -> usize {
-        self.simulator.len()
+        self.backend.len()
     }
 
     /// Corners of a block, m. Bits 0, 1 and 2 of an index give the side along the block's axes.
     pub fn corners(&self, block: usize) -> [DVec3; 8] {
-        self.simulator.corners(block)
+        self.backend.corners(block)
     }
 
     /// Centre of a block, m.

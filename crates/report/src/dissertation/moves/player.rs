@@ -3,8 +3,8 @@
 use glam::DVec3;
 use teeter_scene::{BlockPreset, TowerOptions, loose};
 
+use crate::dissertation::backend::Grasp;
 use crate::dissertation::column::Column;
-use crate::dissertation::simulator::Grasp;
 use crate::dissertation::tower::{FRAME_RATE, Tower};
 use crate::error::Error;
 

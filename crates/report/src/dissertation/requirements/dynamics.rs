@@ -3,8 +3,8 @@
 use glam::DVec3;
 
 use super::subject::{Answer, Subject};
+use crate::dissertation::backend::Grasp;
 use crate::dissertation::length::mm;
-use crate::dissertation::simulator::Grasp;
 use crate::dissertation::tower::FRAME_RATE;
 use crate::error::Error;
 

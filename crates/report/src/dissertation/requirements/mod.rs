@@ -96,8 +96,8 @@ mod tests {
     use rayon::prelude::*;
     use teeter_scene::Scene;
 
+    use super::super::backend::{Backend, FrameReport, Grasp};
     use super::super::column::Column;
-    use super::super::simulator::{FrameReport, Grasp, Simulator};
     use super::super::tower::{FRAME_RATE, Tower};
     use super::*;
 
@@ -130,7 +130,7 @@ mod tests {
         velocities: Vec<DVec3>,
     }
 
-    impl Simulator for Ghost {
+    impl Backend for Ghost {
         fn len(&self) -> usize {
             self.scene.blocks.len()
         }

@@ -7,8 +7,8 @@ use teeter_scene::Block;
 
 use super::overlap::max_depth;
 use super::subject::{Answer, Subject, full_tower, scene};
+use crate::dissertation::backend::Grasp;
 use crate::dissertation::length::mm;
-use crate::dissertation::simulator::Grasp;
 use crate::error::Error;
 
 /// Block thrown at another that stands on the floor.

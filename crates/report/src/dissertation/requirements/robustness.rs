@@ -3,8 +3,8 @@
 use glam::DVec3;
 
 use super::subject::{Answer, Subject};
+use crate::dissertation::backend::Grasp;
 use crate::dissertation::cost;
-use crate::dissertation::simulator::Grasp;
 use crate::error::Error;
 
 /// Minimum frame rate, frames per second.

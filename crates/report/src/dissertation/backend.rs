@@ -1,4 +1,4 @@
-//! Simulators that the report compares.
+//! Interface of the simulators that the report compares.
 
 use glam::DVec3;
 
@@ -23,7 +23,10 @@ pub struct FrameReport {
 }
 
 /// Tower that is simulated a frame at a time.
-pub trait Simulator: Send {
+///
+/// `teeter_game::Simulator` serves play. A comparison needs the cost of a frame, the blocks at rest and
+/// initial velocities instead, and neither contacts nor changes of form.
+pub trait Backend: Send {
     /// Number of blocks.
     fn len(&self) -> usize;
 
