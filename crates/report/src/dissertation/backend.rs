@@ -24,8 +24,8 @@ pub struct FrameReport {
 
 /// Tower that is simulated a frame at a time.
 ///
-/// `teeter_game::Simulator` serves play. A comparison needs the cost of a frame, the blocks at rest and
-/// initial velocities instead, and neither contacts nor changes of form.
+/// `teeter_game::Simulator` serves play. A comparison needs the cost of a frame, the blocks at rest
+/// and initial velocities instead, and neither contacts nor changes of form.
 pub trait Backend: Send {
     /// Number of blocks.
     fn len(&self) -> usize;

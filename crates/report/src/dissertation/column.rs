@@ -32,8 +32,8 @@ pub const COLUMNS: &[Column] = &[
 pub const ENGINE: [Column; 2] = [Column { name: "lattice", build: lattice }, Column { name: "rigid", build: rigid }];
 
 /// Names of all columns behind other headings of a table.
-pub fn headings(first: &[&'static str]) -> impl Iterator<Item = &'static str> {
-    first.to_vec().into_iter().chain(COLUMNS.iter().map(|column| column.name))
+pub fn headings<const N: usize>(first: [&'static str; N]) -> impl Iterator<Item = &'static str> {
+    first.into_iter().chain(COLUMNS.iter().map(|column| column.name))
 }
 
 fn springs(scene: &Scene) -> Result<Tower, Error> {

@@ -56,7 +56,7 @@ fn table(series: &[Series]) -> Table {
         let heights = &mut series.iter().map(|series| max_rows(&series.points, rate));
         rows.push(row([format!("maximum rows at {rate} frames a second"), printed.to_owned()], heights));
     }
-    Table::new(headings(&["rows", "dissertation (2003)"]), rows)
+    Table::new(headings(["rows", "dissertation (2003)"]), rows)
 }
 
 /// Measures the frame rates.

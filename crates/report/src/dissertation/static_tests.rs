@@ -15,7 +15,9 @@ use crate::error::Error;
 use crate::table::Table;
 
 /// Scene, configuration, and stability of the real tower and of the dissertation's.
-const TESTS: [(&str, &str, bool); 6] = [
+type Test = (&'static str, &'static str, bool);
+
+const TESTS: [Test; 6] = [
     ("test-1", "(010)-(010)-(010)-(010)-(010)-(010)", true),
     ("test-2", "(001)-(010)-(001)", true),
     ("test-3", "(001)-(101)-(001)", false),
@@ -80,13 +82,13 @@ pub fn run(bar: &ProgressBar) -> Result<Markup, Error> {
         .collect::<Result<_, Error>>()?;
     let word = |stands: bool| if stands { "stable" } else { "unstable" };
     let tests = || TESTS.iter().enumerate().zip(results.chunks(COLUMNS.len()));
-    let row = |((n, (_, configuration, printed)), results): ((usize, &(&str, &str, bool)), &[(Outcome, Markup)])| {
+    let row = |((n, (_, configuration, printed)), results): ((usize, &Test), &[(Outcome, Markup)])| {
         let cells = results.iter().map(|(o, _)| format!("{} ({}\u{a0}mm)", word(o.stands), mm(o.displacement)));
         [format!("{}: {configuration}", n + 1), word(*printed).to_owned()].into_iter().chain(cells).collect()
     };
     let rows = tests().map(row).collect();
     Ok(html! {
-        (Table::new(headings(&["test", "dissertation: real tower and its own"]), rows))
+        (Table::new(headings(["test", "dissertation: real tower and its own"]), rows))
         p {
             "In brackets: the maximum displacement of a block in 5 s. Test 2 is close to its \
              limit: with blocks of the nominal size its upper two blocks are 0.15 mm short of \

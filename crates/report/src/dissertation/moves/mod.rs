@@ -114,7 +114,7 @@ pub fn run(bar: &ProgressBar) -> Result<Markup, Error> {
              the mean; then the distance of the block in hand from the hand or from its target. A \
              column ends where its tower has fallen."
         }
-        (Table::of_words(headings(&["move", "real tower (dissertation)", "its simulator"]), rows))
+        (Table::of_words(headings(["move", "real tower (dissertation)", "its simulator"]), rows))
         @for (n, step) in STEPS_OF_SECTION.iter().enumerate() {
             h3 { (n + 1) ". " (step.text) }
             @for (_, pictures) in &played { @if let Some(picture) = pictures.get(n) { (picture) } }

@@ -85,7 +85,7 @@ pub fn run(bar: &ProgressBar) -> Result<Markup, Error> {
         [name, requirement.printed.to_owned()].into_iter().chain(cells).collect()
     };
     let rows = REQUIREMENTS.iter().zip(answers.chunks(COLUMNS.len())).map(row).collect();
-    Ok(Table::of_words(headings(&["requirement", "dissertation, of itself"]), rows).render())
+    Ok(Table::of_words(headings(["requirement", "dissertation, of itself"]), rows).render())
 }
 
 #[cfg(test)]
