@@ -4,6 +4,7 @@ mod axis;
 
 use maud::{Markup, PreEscaped, Render};
 use plotters::coord::Shift;
+use plotters::coord::ranged1d::Ranged;
 use plotters::prelude::*;
 use plotters::style::text_anchor::{HPos, Pos, VPos};
 
@@ -90,6 +91,7 @@ impl Chart {
         let points = || self.series.iter().flat_map(|series| &series.points).copied().filter(|&p| self.is_visible(p));
         let x = self.x.coordinate(points().map(|p| p.0));
         let y = self.y.coordinate(points().map(|p| p.1).chain(self.goals.iter().map(|goal| goal.0)));
+        let legend = self.legend_position(&x, &y);
         let mut chart = ChartBuilder::on(area)
             .caption(&self.title, (FONT, TITLE_SIZE, FontStyle::Bold, &TEXT))
             .margin(8)
@@ -115,12 +117,38 @@ impl Chart {
         if self.series.iter().any(|series| !series.name.is_empty()) {
             chart
                 .configure_series_labels()
-                .position(SeriesLabelPosition::UpperLeft)
+                .position(legend)
                 .background_style(WHITE.mix(0.8))
                 .label_font((FONT, TEXT_SIZE, &TEXT))
                 .draw()?;
         }
         Ok(())
+    }
+
+    /// Corner with the fewest points, and middles between joined points, within two fifths of the
+    /// axes.
+    fn legend_position(&self, x: &Coordinate, y: &Coordinate) -> SeriesLabelPosition {
+        let share = |axis: &Coordinate, value: f64| f64::from(axis.map(&value, (0, 1000))) / 1000.0;
+        let mut occupied = Vec::new();
+        for series in &self.series {
+            let visible = series.points.iter().copied().filter(|&point| self.is_visible(point));
+            let points: Vec<(f64, f64)> = visible.map(|point| (share(x, point.0), share(y, point.1))).collect();
+            let middle = |pair: &[(f64, f64)]| (0.5 * (pair[0].0 + pair[1].0), 0.5 * (pair[0].1 + pair[1].1));
+            occupied.extend(points.windows(2).filter(|_| series.joined).map(middle));
+            occupied.extend(points);
+        }
+        let count = |is_right: bool, is_lower: bool| {
+            let near = |share: f64, is_low: bool| if is_low { share < 0.4 } else { share > 0.6 };
+            occupied.iter().filter(|(x, y)| near(*x, !is_right) && near(*y, is_lower)).count()
+        };
+        let corners = [
+            (SeriesLabelPosition::UpperLeft, count(false, false)),
+            (SeriesLabelPosition::UpperRight, count(true, false)),
+            (SeriesLabelPosition::LowerRight, count(true, true)),
+            (SeriesLabelPosition::LowerLeft, count(false, true)),
+        ];
+        let fewest = corners.into_iter().min_by_key(|corner| corner.1);
+        fewest.map_or(SeriesLabelPosition::UpperLeft, |corner| corner.0)
     }
 
     /// Draws the line y = x and the goals, with the label of each goal above its line.
@@ -188,6 +216,20 @@ mod tests {
         let chart = Chart { x: Axis::log("x"), y: Axis::log("y"), series: vec![series], ..Chart::default() };
         // Two points and the mark of the legend.
         assert_eq!(chart.svg().matches("<circle").count(), 3);
+    }
+
+    #[test]
+    fn the_legend_is_in_the_emptiest_corner() {
+        let series = Series::line("a", vec![(0.0, 10.0), (5.0, 5.0), (10.0, 0.0)]);
+        let chart = Chart { series: vec![series], ..Chart::default() };
+        let legend = |chart: &Chart| {
+            let axis = chart.x.coordinate([0.0, 10.0].into_iter());
+            chart.legend_position(&axis, &axis)
+        };
+        assert!(matches!(legend(&chart), SeriesLabelPosition::UpperRight));
+        let rising = Series::line("a", vec![(0.0, 0.0), (5.0, 5.0), (10.0, 10.0)]);
+        let chart = Chart { series: vec![rising], ..Chart::default() };
+        assert!(matches!(legend(&chart), SeriesLabelPosition::UpperLeft));
     }
 
     #[test]
