@@ -31,7 +31,7 @@ impl<S: Simulator> Game<S> {
     pub fn new(simulator: S) -> Self {
         let blocks = Blocks::of(&simulator);
         Self {
-            controller: HandController::default(),
+            controller: HandController::new(simulator.hand_can_turn()),
             ramp: StiffnessRamp::new(simulator.block_form(), simulator.contact_stiffness()),
             fall: FallDetector::new(blocks.positions()),
             rest: RestDetector::default(),
@@ -132,6 +132,7 @@ impl<S: Simulator> Game<S> {
             Command::Poke => events.extend(controller.poke()?.map(|body| Event::Released { body })),
             Command::Release => events.push(Event::Released { body: controller.release()? }),
             Command::SetHand { max_force, careful, can_turn, grip } => {
+                let can_turn = can_turn.map(|can_turn| can_turn && simulator.hand_can_turn());
                 controller.set(max_force, careful, can_turn, grip)?;
             }
             Command::SetBlocks { form, spring_stiffness } => {

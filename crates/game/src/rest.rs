@@ -42,9 +42,9 @@ impl RestDetector {
         self.at_rest
     }
 
-    /// Advances by a frame; `forces` returns those in the contacts, N. Returns true if rest has
-    /// begun or ended.
-    pub fn advance(&mut self, motion: Motion, forces: impl FnOnce() -> Vec<f64>) -> bool {
+    /// Advances by a frame; `forces` returns those in the contacts, N, or none where rest is not
+    /// judged. Returns true if rest has begun or ended.
+    pub fn advance(&mut self, motion: Motion, forces: impl FnOnce() -> Option<Vec<f64>>) -> bool {
         let before = self.at_rest;
         let same_form = self.form == Some(motion.form);
         self.form = Some(motion.form);
@@ -55,9 +55,10 @@ impl RestDetector {
             self.frames = (self.frames + 1) % INTERVAL;
             if self.frames == 0 {
                 let forces = forces();
-                self.at_rest = self.forces.as_ref().is_some_and(|before| are_alike(before, &forces));
+                let pair = self.forces.as_ref().zip(forces.as_ref());
+                self.at_rest = pair.is_some_and(|(before, now)| are_alike(before, now));
                 if !before || !self.at_rest {
-                    self.forces = Some(forces);
+                    self.forces = forces;
                 }
             }
         }
@@ -87,7 +88,7 @@ mod tests {
         let mut detector = RestDetector::default();
         let mut changes = Vec::new();
         for frame in 1..=frames {
-            if detector.advance(motion(frame), || forces(frame)) {
+            if detector.advance(motion(frame), || Some(forces(frame))) {
                 changes.push(if detector.at_rest() { frame } else { -frame });
             }
         }

@@ -80,9 +80,15 @@ pub trait Simulator {
     /// The reason, as one line; nothing has changed then.
     fn set_block_form(&mut self, form: BlockForm) -> Result<(), String>;
 
-    /// Forces in the contacts by which rest is judged, N. Not a number where a body has none.
-    fn rest_forces(&self) -> Vec<f64> {
-        Vec::new()
+    /// Forces in the contacts by which rest is judged, N. Not a number where a body has none. `None`
+    /// for a simulator whose rest is not judged: its tower is never at rest.
+    fn rest_forces(&self) -> Option<Vec<f64>> {
+        None
+    }
+
+    /// Returns true if the hand can rotate a block.
+    fn hand_can_turn(&self) -> bool {
+        true
     }
 
     /// Stiffness of the hand, N/m, where its force grows with its lead without a limit; none where
@@ -158,9 +164,9 @@ impl Simulator for World {
         self.set_form(form.form, springs).map_err(|error| error.to_string())
     }
 
-    fn rest_forces(&self) -> Vec<f64> {
+    fn rest_forces(&self) -> Option<Vec<f64>> {
         let tightness = |load: &teeter_study::Load| if load.below_n > 0.0 { load.tightness_n } else { f64::NAN };
-        xray(self, self.scene().friction).iter().flat_map(|load| [load.above_n, tightness(load)]).collect()
+        Some(xray(self, self.scene().friction).iter().flat_map(|load| [load.above_n, tightness(load)]).collect())
     }
 }
 

@@ -5,4 +5,4 @@ mod plane;
 mod space;
 
 pub use plane::Plane;
-pub use space::Space;
+pub use space::{Space, SpaceGame};

@@ -1,5 +1,6 @@
 //! Binding of Jenga3D, a frame at a time.
 
+mod game;
 mod loads;
 #[cfg(test)]
 mod tests;
@@ -13,6 +14,7 @@ use teeter_scene::Scene;
 use teeter_wasm_support::Error;
 use wasm_bindgen::prelude::*;
 
+pub use game::SpaceGame;
 use loads::Loads;
 use views::Views;
 
@@ -31,6 +33,7 @@ use views::Views;
 pub struct Space {
     jenga: Jenga3D,
     views: Views,
+    lattices: Vec<f32>,
     /// Loads of the contacts in the last frame.
     loads: Loads,
 }
@@ -45,8 +48,8 @@ struct HandCommand {
 }
 
 /// Report of a frame.
-#[derive(Serialize)]
-struct Report {
+#[derive(Debug, Serialize)]
+pub struct Report {
     /// Simulated time, s.
     time: f64,
     /// Number of blocks that are not disabled.
@@ -65,7 +68,7 @@ struct Report {
 }
 
 /// Report of the hand at the end of a frame.
-#[derive(Serialize)]
+#[derive(Debug, Serialize)]
 struct HandReport {
     /// Force, N; `None` while the hand writes the velocity, which no force limits.
     force: Option<[f64; 3]>,
@@ -92,7 +95,7 @@ impl Space {
         let jenga = Jenga3D::new(&scene, constants).map_err(Error::rejected)?;
         let halves = scene.blocks.iter().map(|b| 0.5 * DVec3::from(b.size)).collect();
         let views = Views::new(&jenga, halves);
-        Ok(Self { jenga, views, loads: Loads::default() })
+        Ok(Self { jenga, views, lattices: Vec::new(), loads: Loads::default() })
     }
 
     /// Advances by 1/60 s under a hand and returns the report as JSON.
@@ -115,7 +118,7 @@ impl Space {
             }
         }
         let hand = command.map(|c| Hand { block: c.body, target: c.target.into() });
-        let report = self.frame(hand.as_ref());
+        let report = self.advance(hand.as_ref());
         serde_json::to_string(&report).map_err(|e| Error::json("report", e))
     }
 
@@ -137,8 +140,8 @@ impl Space {
     /// recreated.
     #[wasm_bindgen(js_name = latticesPtr)]
     pub fn lattices_ptr(&mut self) -> *const f32 {
-        self.views.update_lattices(&self.jenga);
-        self.views.lattices.as_ptr()
+        self.views.write_lattices(&self.jenga, &mut self.lattices);
+        self.lattices.as_ptr()
     }
 
     /// Number of blocks.
@@ -185,7 +188,7 @@ impl Space {
         }
     }
 
-    fn frame(&mut self, hand: Option<&Hand>) -> Report {
+    fn advance(&mut self, hand: Option<&Hand>) -> Report {
         self.loads.clear();
         let (mut rounds, mut unresolved, mut tests) = (0, 0, Counters::default());
         for _ in 0..self.jenga.constants.mid_loop_count {

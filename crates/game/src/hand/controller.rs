@@ -76,13 +76,12 @@ pub struct HandController {
     slots: Vec<Slot>,
 }
 
-impl Default for HandController {
-    fn default() -> Self {
-        Self { max_force: DEFAULT_FORCE, is_careful: false, can_turn: true, hold: None, slots: Vec::new() }
-    }
-}
-
 impl HandController {
+    /// An empty hand. `can_turn` is false for one that cannot rotate a block.
+    pub fn new(can_turn: bool) -> Self {
+        Self { max_force: DEFAULT_FORCE, is_careful: false, can_turn, hold: None, slots: Vec::new() }
+    }
+
     /// The block in the hand.
     pub fn hold(&self) -> Option<&Hold> {
         self.hold.as_ref()

@@ -56,10 +56,10 @@ fn springs_are_in_the_order_of_their_particles() {
     let offset = DVec3::new(0.0, 0.0, 1e-3);
     space.jenga.curr[7].position += offset;
     space.lattices_ptr();
-    assert_eq!(space.views.lattices.len(), 52);
-    assert_eq!(Vec3::from_slice(&space.views.lattices[21..]), space.jenga.curr[7].position.as_vec3());
+    assert_eq!(space.lattices.len(), 52);
+    assert_eq!(Vec3::from_slice(&space.lattices[21..]), space.jenga.curr[7].position.as_vec3());
     let ends = (0..8).flat_map(|a| (a + 1..8).map(move |b| (a, b)));
-    for ((a, b), pull) in ends.zip(&space.views.lattices[24..]) {
+    for ((a, b), pull) in ends.zip(&space.lattices[24..]) {
         let apart = fit::corner(b, space.views.halves[0]) - fit::corner(a, space.views.halves[0]);
         let elongation = if b == 7 { (apart + offset).length() - apart.length() } else { 0.0 };
         let expected = space.jenga.constants.stiffness * elongation;

@@ -6,15 +6,13 @@ use teeter_dissertation::jenga3d::block::{CORNERS, SPRINGS};
 
 use crate::fit;
 
-/// Poses and lattices of all blocks.
+/// Sizes and poses of all blocks.
 #[derive(Debug)]
 pub struct Views {
     /// Half edge lengths of each block, m.
     pub halves: Vec<DVec3>,
     /// Seven doubles a block: position (m) and orientation (x, y, z, w).
     pub poses: Vec<f64>,
-    /// 52 floats a block: positions of 8 particles (m) and forces of 28 springs (N).
-    pub lattices: Vec<f32>,
     /// Indices in a block's springs of those between particles 0 and 1, 0 and 2, ... 6 and 7.
     order: [usize; SPRINGS],
 }
@@ -28,7 +26,7 @@ impl Views {
         for (index, pair) in order.iter_mut().zip(pairs) {
             *index = ends.iter().position(|e| *e == pair).expect("a spring joins every two particles");
         }
-        let mut views = Self { halves, poses: Vec::new(), lattices: Vec::new(), order };
+        let mut views = Self { halves, poses: Vec::new(), order };
         views.update_poses(jenga);
         views
     }
@@ -44,15 +42,16 @@ impl Views {
         }
     }
 
-    /// Writes the particles and springs of each block.
-    pub fn update_lattices(&mut self, jenga: &Jenga3D) {
+    /// Writes the particles and springs of all blocks: 52 floats a block, positions of 8 particles
+    /// (m) and forces of 28 springs (N).
+    pub fn write_lattices(&self, jenga: &Jenga3D, lattices: &mut Vec<f32>) {
         let Jenga3D { model, curr, .. } = jenga;
-        self.lattices.clear();
+        lattices.clear();
         for block in &model.blocks {
-            self.lattices.extend(curr[block.corners()].iter().flat_map(|s| s.position.as_vec3().to_array()));
+            lattices.extend(curr[block.corners()].iter().flat_map(|s| s.position.as_vec3().to_array()));
             let springs = &model.springs[block.springs as usize..][..SPRINGS];
             let tension = |n: &usize| springs[*n].stiffness * (springs[*n].length(curr) - springs[*n].rest_length);
-            self.lattices.extend(self.order.iter().map(|n| tension(n) as f32));
+            lattices.extend(self.order.iter().map(|n| tension(n) as f32));
         }
     }
 }
