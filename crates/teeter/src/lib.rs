@@ -1,6 +1,8 @@
 #![doc = include_str!("../README.md")]
 
 pub use glam::{DQuat, DVec3};
+pub use teeter_game as game;
+pub use teeter_game::{Command, Game, Update};
 pub use teeter_physics::{
     AppliedForce, BodyId, BuildError, ContactReport, Drive, Grip, Hand, HandReport, Input, LatticeReport, POSE_STRIDE,
     Params, Pose, Precision, REFERENCE_AREA, SnapshotError, StepReport, Twist, Width, World, restitution,
