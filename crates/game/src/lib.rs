@@ -32,6 +32,6 @@ pub use settlement::settlement;
 pub use simulator::{Simulator, StepOutcome};
 pub use snapshot::RestoreError;
 pub use stiffness_ramp::{BlockForm, StiffnessRamp};
-pub use teeter_study::{FELL_DROPPED, FELL_MOVED, SETTLED_SPEED, VISIBLE_SPEED};
+pub use teeter_study::{FELL_DROPPED, FELL_MOVED, HandPath, SETTLED_SPEED, VISIBLE_SPEED};
 pub use tower_map::{CellId, Slot, TowerMap};
 pub use update::{Event, HandState, Update};

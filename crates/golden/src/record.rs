@@ -6,6 +6,7 @@ use std::path::Path;
 
 use glam::{DQuat, DVec3};
 use teeter_physics::{BodyId, Drive, Grip, Hand, Input, Params, World};
+use teeter_study::HandPath;
 
 use crate::error::GoldenError;
 use crate::files::write;
@@ -59,21 +60,13 @@ fn pull() -> Result<Vec<Input>, GoldenError> {
     let clear = top + 0.5 * height + 0.01;
     let over = DVec3::new(0.0, 0.0, clear) + q * anchor;
     let laid = over - DVec3::Z * 0.0105;
-    let path = [
-        (out, 0.08, Grip::Slide),
-        (out.with_z(over.z), 0.4, Grip::Carry),
-        (over, 0.3, Grip::Carry),
-        (laid, 0.04, Grip::Carry),
-    ];
-    let mut from = start;
-    for (to, speed, grip) in path {
-        let frames = ((to - from).length() / speed / world.params().frame).ceil();
-        for i in 1..=frames as u32 {
-            let target = rounded(from.lerp(to, f64::from(i) / frames));
-            inputs.push(Input::hand(Hand { grip, ..Hand::slide(body, anchor, target, q) }));
-        }
-        from = to;
-    }
+    let path = HandPath::new(Hand::slide(body, anchor, start, q), world.params().frame)
+        .line(out, 0.08)
+        .with_grip(Grip::Carry)
+        .line(out.with_z(over.z), 0.4)
+        .line(over, 0.3)
+        .line(laid, 0.04);
+    inputs.extend(path.into_iter().map(|hand| Input::hand(Hand { target: rounded(hand.target), ..hand })));
     Ok(inputs)
 }
 

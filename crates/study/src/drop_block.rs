@@ -4,6 +4,7 @@ use glam::DVec3;
 use serde::Serialize;
 use teeter_physics::{BodyId, Hand, Input, Pose, World};
 
+use crate::hand_path::HandPath;
 use crate::reference_positions::ReferencePositions;
 use crate::rest::RestTimer;
 use crate::settle::SETTLE_TIME;
@@ -77,16 +78,14 @@ pub fn drop_block(mut world: World, body: BodyId, height: f64) -> DroppedBlock {
 /// the height of the highest corner of all other blocks, m.
 fn lower(world: &mut World, body: BodyId, height: f64) -> f64 {
     let Pose { position: center, orientation } = world.pose(body);
-    let hand = |target: DVec3| Input::hand(Hand::carry(body, DVec3::ZERO, target, orientation));
-    world.run_with(SETTLE_TIME, &hand(center));
+    let hand = Hand::carry(body, DVec3::ZERO, center, orientation);
+    world.run_with(SETTLE_TIME, &Input::hand(hand.clone()));
     let solids = Solid::all(world);
     let others = solids.iter().enumerate().filter(|(i, _)| *i != body.index());
     let top = others.map(|(_, solid)| solid.top()).fold(0.0, f64::max);
     let low = DVec3::new(center.x, center.y, top + height + 0.5 * world.size(body).z);
-    let frames = world.frames(LOWERING);
-    for i in 1..=frames {
-        world.step(&hand(center.lerp(low, i as f64 / frames as f64)));
+    for hand in HandPath::new(hand, world.params().frame).line_in(low, LOWERING).pause(LOWERING) {
+        world.step(&Input::hand(hand));
     }
-    world.run_with(LOWERING, &hand(low));
     top
 }

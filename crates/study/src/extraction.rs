@@ -4,6 +4,7 @@ use glam::DVec3;
 use serde::Serialize;
 use teeter_physics::{BodyId, Grip, Hand, Input, Pose, World};
 
+use crate::hand_path::HandPath;
 use crate::reference_positions::ReferencePositions;
 
 /// Travel of the hand beyond the length of the block, m.
@@ -61,18 +62,19 @@ pub fn extract(settled: &World, body: BodyId, axis: DVec3, speed: f64) -> Extrac
         outcome.others_mm = f64::max(outcome.others_mm, 1e3 * positions.max_displacement_except(world, body));
         outcome.fell |= positions.any_fallen_except(world, body);
     };
-    let hand = |travel: f64| Hand::slide(body, anchor, from + axis * travel, orientation);
-    let (frames, mut force) = (world.frames(length / speed).max(1), 0.0);
-    for i in 1..=frames {
-        let travel = length * i as f64 / frames as f64;
-        let report = world.step(&Input::hand(hand(travel)));
+    let frame = world.params().frame;
+    let start = Hand::slide(body, anchor, from, orientation);
+    let mut force = 0.0;
+    for hand in HandPath::new(start.clone(), frame).line_along(axis, length, speed) {
+        let report = world.step(&Input::hand(hand));
         force = report.hand.map_or(force, |h| h.force.length().max(force));
         observe(&world);
     }
     let travel = axis.dot(world.pose(body).position - center);
-    for _ in 0..world.frames(HOLD) {
-        // a released block would fall on the table and might hit the tower
-        world.step(&Input::hand(Hand { grip: Grip::Carry, ..hand(length) }));
+    // a released block would fall on the table and might hit the tower
+    let end = Hand { grip: Grip::Carry, target: from + axis * length, ..start };
+    for hand in HandPath::new(end, frame).pause(HOLD) {
+        world.step(&Input::hand(hand));
         observe(&world);
     }
     Extraction { out: travel > length - MAX_LAG, force_n: force, ..outcome }
