@@ -12,16 +12,19 @@ export const golden = async () => JSON.parse(await data('hashes.json')).runs;
 
 /** Plays all runs on a build: [{ name, step_of_rest, hash }]. */
 export async function play(build) {
-  const { Simulation, namedScene } = await load(build);
+  const { Game, Simulation, namedScene } = await load(build);
   const outcomes = [];
-  for (const { name, scene, stiffness, form, springs, params, steps, inputs } of JSON.parse(await data('runs.json'))) {
-    const lines = inputs ? (await data(inputs)).split('\n') : [];
+  for (const run of JSON.parse(await data('runs.json'))) {
+    const { name, scene, stiffness, form, springs, params, steps, inputs, commands } = run;
+    const file = inputs ?? commands;
+    const lines = file ? (await data(file)).split('\n') : [];
     const start = { ...JSON.parse(namedScene(scene)), form, springs };
     start.stiffness = stiffness ?? start.stiffness;
-    const simulation = new Simulation(JSON.stringify(start), JSON.stringify(params ?? {}));
+    const simulation = new (commands ? Game : Simulation)(JSON.stringify(start), JSON.stringify(params ?? {}));
     let rest = null;
     for (let i = 0; i < steps; i++) {
-      const { awake } = JSON.parse(simulation.step(lines[i] ?? ''));
+      const result = JSON.parse(simulation.step(lines[i] ?? ''));
+      const { awake } = commands ? result.report : result;
       rest = awake > 0 ? null : (rest ?? i + 1);
     }
     outcomes.push({ name, step_of_rest: rest, hash: simulation.hash() });

@@ -3,7 +3,9 @@
 use std::path::Path;
 
 use rayon::prelude::*;
+use serde::de::DeserializeOwned;
 use serde::{Deserialize, Serialize};
+use teeter_game::{Command, Game};
 use teeter_physics::{Input, Params, Width, World};
 use teeter_scene::{Form, Scene, Springs};
 
@@ -31,16 +33,20 @@ struct Entry {
     /// Name of a file with one line of input a step; the steps after its end have none.
     #[serde(default)]
     inputs: Option<String>,
+    /// Name of a file with one line of a game's command a step, in place of the inputs.
+    #[serde(default)]
+    commands: Option<String>,
 }
 
-/// Golden run: a scene, constants, and the input of each step.
+/// Golden run: a scene, constants, and the input of each step, or the command of a game.
 ///
 /// ```
 /// use teeter_golden::Run;
 /// use teeter_physics::{Input, Params, Width};
 ///
 /// let scene = teeter_scene::named("block").expect("the list has it");
-/// let run = Run { name: "block".into(), scene, params: Params::default(), inputs: vec![Input::default(); 10] };
+/// let inputs = vec![Input::default(); 10];
+/// let run = Run { name: "block".into(), scene, params: Params::default(), inputs, commands: Vec::new() };
 /// let outcome = run.play(Width::Portable).expect("a valid scene");
 /// assert_eq!(outcome, run.play(Width::Auto).expect("a valid scene"));
 /// ```
@@ -52,8 +58,10 @@ pub struct Run {
     pub scene: Scene,
     /// Constants of the run.
     pub params: Params,
-    /// Inputs of the steps.
+    /// Inputs of the steps; empty for a game.
     pub inputs: Vec<Input>,
+    /// Commands of the steps of a game.
+    pub commands: Vec<Command>,
 }
 
 /// Outcome of a run.
@@ -86,23 +94,32 @@ pub fn runs(dir: &Path) -> Result<Vec<Run>, GoldenError> {
 
 impl Entry {
     fn load(self, dir: &Path) -> Result<Run, GoldenError> {
-        let Entry { name, scene, stiffness, form, springs, params, steps, inputs } = self;
+        let Entry { name, scene, stiffness, form, springs, params, steps, inputs, commands } = self;
         let Some(mut scene) = teeter_scene::named(&scene) else {
             return Err(GoldenError::UnknownScene { run: name, scene });
         };
         scene.stiffness = stiffness.unwrap_or(scene.stiffness);
         (scene.form, scene.springs) = (form, springs);
-        let text = inputs.as_ref().map_or(Ok(String::new()), |file| read(dir, file))?;
-        let mut inputs: Vec<Input> = Vec::new();
-        for (i, line) in text.lines().enumerate() {
-            let input = if line.is_empty() { Ok(Input::default()) } else { serde_json::from_str(line) };
-            let error =
-                |e: serde_json::Error| GoldenError::Input { run: name.clone(), line: i + 1, message: e.to_string() };
-            inputs.push(input.map_err(error)?);
-        }
-        inputs.resize(steps as usize, Input::default());
-        Ok(Run { name, scene, params, inputs })
+        let (inputs, commands) = match commands {
+            Some(file) => (Vec::new(), parse_lines(&name, &read(dir, &file)?, steps)?),
+            None => {
+                let text = inputs.map_or(Ok(String::new()), |file| read(dir, &file))?;
+                (parse_lines(&name, &text, steps)?, Vec::new())
+            }
+        };
+        Ok(Run { name, scene, params, inputs, commands })
     }
+}
+
+/// Parses one value a line, the default where a line is empty, for `steps` steps.
+fn parse_lines<T: DeserializeOwned + Default>(run: &str, text: &str, steps: u32) -> Result<Vec<T>, GoldenError> {
+    let parse = |(i, line): (usize, &str)| {
+        let value = if line.is_empty() { Ok(T::default()) } else { serde_json::from_str(line) };
+        value.map_err(|e| GoldenError::Input { run: run.to_owned(), line: i + 1, message: e.to_string() })
+    };
+    let mut values = text.lines().enumerate().map(parse).collect::<Result<Vec<T>, _>>()?;
+    values.resize_with(steps as usize, T::default);
+    Ok(values)
 }
 
 impl Run {
@@ -121,11 +138,15 @@ impl Run {
     /// As [`Run::world`].
     pub fn play(&self, width: Width) -> Result<Outcome, GoldenError> {
         let mut world = self.world(width)?;
-        let mut step_of_rest = None;
-        for (i, input) in self.inputs.iter().enumerate() {
-            step_of_rest = if world.step(input).awake > 0 { None } else { step_of_rest.or(Some(i as u32 + 1)) };
-        }
-        Ok(Outcome { step_of_rest, hash: format!("{:016x}", world.hash()) })
+        let (awake, hash): (Vec<u32>, u64) = if self.commands.is_empty() {
+            (self.inputs.iter().map(|input| world.step(input).awake).collect(), world.hash())
+        } else {
+            let mut game = Game::new(world);
+            (self.commands.iter().map(|command| game.step(command).report.awake).collect(), game.hash())
+        };
+        let steps_awake = awake.iter().rposition(|count| *count > 0).map_or(0, |i| i + 1);
+        let step_of_rest = (steps_awake < awake.len()).then_some(steps_awake as u32 + 1);
+        Ok(Outcome { step_of_rest, hash: format!("{hash:016x}") })
     }
 }
 

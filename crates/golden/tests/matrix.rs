@@ -4,6 +4,7 @@
 use std::path::{Path, PathBuf};
 
 use glam::DVec3;
+use teeter_game::{Event, Game};
 use teeter_golden::{Cell, Golden, Outcome, Run, mint, play_all, runs, table};
 use teeter_physics::{BodyId, Input, Params, Precision, Twist, Width, World};
 
@@ -154,6 +155,25 @@ fn the_runs_rest_fall_and_put_a_block_on_top() {
     for other in (0..now.len()).filter(|&i| i != body) {
         assert!((now[other] - start[other]).length() < 5e-3, "block {other} went along");
     }
+}
+
+#[test]
+fn the_game_places_a_block_twice_and_pokes_another() {
+    let run = run("game");
+    let mut game = Game::new(run.world(Width::Auto).unwrap());
+    let events: Vec<Event> = run.commands.iter().flat_map(|command| game.step(command).events).collect();
+    let [
+        Event::Grasped { body: first },
+        Event::Placed { .. },
+        Event::Grasped { .. },
+        Event::Placed { .. },
+        Event::Grasped { body: second },
+        Event::Poked { .. },
+    ] = events[..]
+    else {
+        panic!("{events:?}")
+    };
+    assert_ne!(first, second);
 }
 
 #[test]
