@@ -3,6 +3,7 @@
 import assert from 'node:assert/strict';
 import { readFile } from 'node:fs/promises';
 import { before, test } from 'node:test';
+import loadMuseum, { SpaceGame } from '../src/wasm/teeter_museum.js';
 import init, { Game, Simulation, namedScene, sceneList, towerScene } from '../src/wasm/teeter_wasm.js';
 
 let memory;
@@ -345,4 +346,25 @@ test('a game restored in the middle of a placement goes on with the same bits', 
   game.restore(bytes);
   assert.deepEqual(play(), first);
   assert.ok(lattices(game).length > 0);
+});
+
+test('the tower of 2003 takes the same commands as the game', async () => {
+  const bytes = await readFile(new URL('../src/wasm/teeter_museum_bg.wasm', import.meta.url));
+  const museum = await loadMuseum({ module_or_path: bytes });
+  const game = new SpaceGame(towerScene('{"rows": 3}'), false);
+  const { body, update } = lift(game);
+  const height = new Float64Array(museum.memory.buffer, game.posesPtr(), 7 * game.length)[7 * body + 2];
+  assert.ok(height > 0.075, `lifted to ${height} m`);
+  assert.deepEqual([update.hand.grip, update.form, update.at_rest], ['carry', 'lattice', false]);
+  for (const field of ['time', 'active', 'touching', 'max_speed', 'rounds', 'unresolved'])
+    assert.equal(typeof update.report[field], 'number', field);
+  assert.ok(update.report.tests.potential > 0);
+  const lattices = new Float32Array(museum.memory.buffer, game.latticesPtr(), 52 * game.length);
+  assert.ok(Math.abs(lattices[52 * body + 2] - height) < 0.02, 'a particle of the lifted block');
+  const { events } = step(game, { command: 'turn', rotation: [0, 0, 0, 1] });
+  assert.deepEqual(events, [{ event: 'refused', reason: 'this hand cannot turn a block' }]);
+  assert.match(
+    message(() => game.contacts(9)),
+    /9/,
+  );
 });
