@@ -58,6 +58,18 @@ impl Input {
 }
 
 /// Grip of a hand on a block.
+///
+/// ```
+/// use glam::{DQuat, DVec3};
+/// use teeter_physics::{BodyId, Grip, Hand};
+///
+/// let push = Hand::push(BodyId(3), DVec3::ZERO, DVec3::ZERO, DVec3::X);
+/// assert_eq!(push.grip, Grip::Push { axis: DVec3::X });
+/// // a fingertip holds no orientation
+/// assert_eq!(push.orientation, None);
+/// let slide = Hand::slide(BodyId(3), DVec3::ZERO, DVec3::ZERO, DQuat::IDENTITY);
+/// assert_eq!(slide.grip, Grip::Slide);
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Grip {
     /// Fingers on a block in the tower: they steer it sideways and keep its orientation. Where they
@@ -219,6 +231,20 @@ impl From<Hand> for HandRecord {
 }
 
 /// A force at a point that moves with a body.
+///
+/// ```
+/// use glam::DVec3;
+/// use teeter_physics::{AppliedForce, BodyId, Input, Params, World};
+///
+/// // half of what friction of 0.4 holds: the block stays
+/// let mut world = World::new(&teeter_scene::named("block").unwrap(), Params::default())?;
+/// let body = BodyId(0);
+/// let force = DVec3::X * (0.5 * 0.4 * world.mass(body) * 9.81);
+/// let before = world.pose(body).position.x;
+/// world.run_with(1.0, &Input::force(AppliedForce::at_center(body, force)));
+/// assert!((world.pose(body).position.x - before).abs() < 1e-5);
+/// # Ok::<(), teeter_physics::BuildError>(())
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct AppliedForce {
@@ -239,6 +265,17 @@ impl AppliedForce {
 }
 
 /// A velocity imposed on a body during one step, with a large but limited force.
+///
+/// ```
+/// use glam::DVec3;
+/// use teeter_physics::{BodyId, Drive, Input, Params, World};
+///
+/// let mut world = World::new(&teeter_scene::named("block").unwrap(), Params::default())?;
+/// let before = world.pose(BodyId(0)).position.x;
+/// world.run_with(1.0, &Input::drives(vec![Drive::new(BodyId(0), DVec3::X * 0.1)]));
+/// assert!((world.pose(BodyId(0)).position.x - before - 0.1).abs() < 2e-3);
+/// # Ok::<(), teeter_physics::BuildError>(())
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Drive {

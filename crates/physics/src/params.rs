@@ -3,6 +3,20 @@
 use serde::{Deserialize, Serialize};
 
 /// Number format of the inner loop. Poses, and gaps at each sync, are double precision in both.
+///
+/// ```
+/// use teeter_physics::{BodyId, Params, Precision, World};
+///
+/// let scene = teeter_scene::named("column").unwrap();
+/// let height = |precision| -> Result<f64, teeter_physics::BuildError> {
+///     let mut world = World::new(&scene, Params { precision, ..Params::default() })?;
+///     world.run_for(1.0);
+///     Ok(world.pose(BodyId(3)).position.z)
+/// };
+/// let difference = height(Precision::Single)? - height(Precision::Double)?;
+/// assert!(difference.abs() < 1e-7);
+/// # Ok::<(), teeter_physics::BuildError>(())
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "lowercase")]
 pub enum Precision {
@@ -16,6 +30,19 @@ pub enum Precision {
 ///
 /// A processor without a width uses the widest below it. Where the target leaves no choice, as in
 /// WebAssembly, every width means the one that the program was built for.
+///
+/// ```
+/// use teeter_physics::{Params, Width, World};
+///
+/// let scene = teeter_scene::named("column").unwrap();
+/// let hash = |width| -> Result<u64, teeter_physics::BuildError> {
+///     let mut world = World::new(&scene, Params { width, ..Params::default() })?;
+///     world.run_for(0.5);
+///     Ok(world.hash())
+/// };
+/// assert_eq!(hash(Width::Auto)?, hash(Width::Portable)?);
+/// # Ok::<(), teeter_physics::BuildError>(())
+/// ```
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "lowercase")]
 pub enum Width {

@@ -45,6 +45,21 @@ pub struct StepReport {
 }
 
 /// Force and torque of the hand at the end of a step.
+///
+/// ```
+/// use glam::{DQuat, DVec3};
+/// use teeter_physics::{BodyId, Hand, Input, Params, World};
+///
+/// let mut world = World::new(&teeter_scene::named("block").unwrap(), Params::default())?;
+/// let body = BodyId(0);
+/// let lift = world.pose(body).position + DVec3::Z * 0.05;
+/// let hand = Hand::carry(body, DVec3::ZERO, lift, DQuat::IDENTITY);
+/// let report = world.run_with(1.0, &Input::hand(hand)).hand.unwrap();
+/// // at rest in the air the hand carries the weight
+/// assert!((report.force.z / (world.mass(body) * 9.81) - 1.0).abs() < 1e-3);
+/// assert!(report.point.distance(lift) < 1e-5 && !report.capped);
+/// # Ok::<(), teeter_physics::BuildError>(())
+/// ```
 #[derive(Debug, Clone, Copy, Default, PartialEq, Serialize)]
 pub struct HandReport {
     /// Force on the body, N.
@@ -60,6 +75,19 @@ pub struct HandReport {
 }
 
 /// A loaded contact of a body, summed over its points.
+///
+/// ```
+/// use teeter_physics::{BodyId, Params, World};
+///
+/// let mut world = World::new(&teeter_scene::named("block").unwrap(), Params::default())?;
+/// world.run_for(2.0);
+/// let contacts = world.contacts(BodyId(0));
+/// // the floor carries the weight
+/// assert_eq!((contacts.len(), contacts[0].other), (1, None));
+/// assert!((contacts[0].force / (world.mass(BodyId(0)) * 9.81) - 1.0).abs() < 1e-3);
+/// assert!(contacts[0].normal.z > 0.999);
+/// # Ok::<(), teeter_physics::BuildError>(())
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 pub struct ContactReport {
     /// Other body; none for the floor.
@@ -73,6 +101,21 @@ pub struct ContactReport {
 }
 
 /// Particles and springs of a lattice block.
+///
+/// ```
+/// use teeter_physics::{BodyId, Params, World};
+/// use teeter_scene::Form;
+///
+/// let mut scene = teeter_scene::named("block").unwrap();
+/// scene.form = Form::Lattice;
+/// let world = World::new(&scene, Params::default())?;
+/// let lattice = world.lattice(BodyId(0)).unwrap();
+/// let center = lattice.particles.iter().sum::<glam::DVec3>() / 8.0;
+/// assert!(center.distance(world.pose(BodyId(0)).position) < 1e-12);
+/// // nothing is strained at the start
+/// assert!(lattice.forces.iter().all(|force| force.abs() < 1e-6));
+/// # Ok::<(), teeter_physics::BuildError>(())
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 pub struct LatticeReport {
     /// Positions in the world, m.

@@ -14,6 +14,18 @@ use crate::lattice::particles::Particles;
 use crate::world::World;
 
 /// Error of [`World::restore`].
+///
+/// ```
+/// use teeter_physics::{Params, SnapshotError, World};
+///
+/// let build = |name| World::new(&teeter_scene::named(name).unwrap(), Params::default());
+/// let (mut block, column) = (build("block")?, build("column")?);
+/// assert_eq!(block.restore(b"nonsense"), Err(SnapshotError::Header));
+/// let found = column.len();
+/// let error = block.restore(&column.snapshot()).unwrap_err();
+/// assert_eq!(error, SnapshotError::BodyCount { found, expected: 1 });
+/// # Ok::<(), teeter_physics::BuildError>(())
+/// ```
 #[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
 pub enum SnapshotError {
     /// The bytes do not begin with the header of a snapshot of this version.

@@ -20,6 +20,16 @@ use crate::report::{ContactReport, LatticeReport};
 use crate::simd::float_mode::FloatMode;
 
 /// Error of [`World::new`] and [`World::set_form`].
+///
+/// ```
+/// use teeter_physics::{BuildError, Params, World};
+///
+/// let mut scene = teeter_scene::named("column").unwrap();
+/// scene.blocks[2].mass = -1.0;
+/// let error = World::new(&scene, Params::default()).unwrap_err();
+/// assert!(matches!(error, BuildError::Scene(_)));
+/// assert!(error.to_string().contains("mass"), "{error}");
+/// ```
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 pub enum BuildError {
     /// A constant of the run is out of its range.
