@@ -10,6 +10,17 @@ use teeter_physics::{BodyId, POSE_STRIDE};
 use crate::simulator::Simulator;
 
 /// Poses, edge lengths and strains of all blocks.
+///
+/// ```
+/// use teeter_game::Blocks;
+/// use teeter_physics::{BodyId, Params, World};
+///
+/// let scene = teeter_scene::named("tower").unwrap();
+/// let blocks = Blocks::of(&World::new(&scene, Params::default())?);
+/// assert_eq!(blocks.len(), 54);
+/// assert!((blocks.position(BodyId(0)).z - 0.5 * blocks.size(BodyId(0)).z).abs() < 1e-3);
+/// # Ok::<(), teeter_physics::BuildError>(())
+/// ```
 #[derive(Debug, Clone, PartialEq)]
 pub struct Blocks {
     sizes: Vec<DVec3>,

@@ -9,6 +9,13 @@ use crate::hand::grip::GripMode;
 use crate::tower_map::CellId;
 
 /// Command of a player for one frame. Vectors are in m and in the world frame unless said.
+///
+/// ```
+/// use teeter_game::Command;
+///
+/// let command: Command = serde_json::from_str(r#"{"command": "place", "body": 7}"#).unwrap();
+/// assert!(matches!(command, Command::Place { body: Some(_), slot: None }));
+/// ```
 #[derive(Debug, Clone, Copy, Default, PartialEq, Serialize, Deserialize)]
 #[serde(tag = "command", rename_all = "snake_case", deny_unknown_fields)]
 pub enum Command {
@@ -84,6 +91,12 @@ pub enum Command {
 }
 
 /// Reason to refuse a command. Nothing has changed then.
+///
+/// ```
+/// use teeter_game::Refusal;
+///
+/// assert_eq!(Refusal::NothingHeld.to_string(), "no block is held");
+/// ```
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 pub enum Refusal {
     /// The scene has no such body.

@@ -20,11 +20,32 @@ pub enum TowerState {
     Fallen,
 }
 
+/// State at the end of a frame, beside the positions.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct FrameEnd {
+    /// Simulated time, s.
+    pub time: f64,
+    /// Speed of the fastest block, m/s.
+    pub max_speed: f64,
+    /// Block in the hand.
+    pub held: Option<BodyId>,
+}
+
 /// Detector of falls: a block that nobody holds and that comes down by more than
 /// [`FELL_DROPPED`](crate::FELL_DROPPED) has fallen, and stays fallen.
 ///
 /// A hand moves blocks sideways, so only the drop counts. A block in the player's care, held or let
 /// go less than 1.5 s ago, takes its new height with it: putting it on the floor is no fall.
+///
+/// ```
+/// use glam::DVec3;
+/// use teeter_game::{FallDetector, FrameEnd, TowerState};
+///
+/// let mut detector = FallDetector::new(&[DVec3::Z]);
+/// let frame = FrameEnd { time: 0.1, max_speed: 0.5, held: None };
+/// detector.observe(&[DVec3::Z * 0.99], None, frame);
+/// assert_eq!(detector.state(), TowerState::Fallen);
+/// ```
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct FallDetector {
     /// Heights of the centres if no block were strained, m.
@@ -52,17 +73,10 @@ impl FallDetector {
         &self.heights
     }
 
-    /// Advances to the end of a frame at `time` (s) and returns the blocks that fell in it.
-    /// `max_speed` is that of the fastest block (m/s), `held` the block in the hand, `settled` the
+    /// Advances to the end of a frame and returns the blocks that fell in it. `settled` is the
     /// distance by which strain lets each block be lower (m).
-    pub fn observe(
-        &mut self,
-        positions: &[DVec3],
-        settled: Option<&[f64]>,
-        time: f64,
-        max_speed: f64,
-        held: Option<BodyId>,
-    ) -> Vec<BodyId> {
+    pub fn observe(&mut self, positions: &[DVec3], settled: Option<&[f64]>, frame: FrameEnd) -> Vec<BodyId> {
+        let FrameEnd { time, max_speed, held } = frame;
         if let Some(body) = held {
             self.care_until[body.index()] = time + CARE;
         }
@@ -119,7 +133,7 @@ mod tests {
         let tower = tower(&["xxx", "xxx"], 0.0);
         let mut detector = FallDetector::new(tower.positions());
         let mut state = |positions: &[DVec3], time, speed| {
-            let fell = detector.observe(positions, None, time, speed, None);
+            let fell = detector.observe(positions, None, FrameEnd { time, max_speed: speed, held: None });
             (detector.state(), fell, detector.fallen())
         };
         let standing = tower.positions();
@@ -137,7 +151,14 @@ mod tests {
     fn a_block_without_a_finite_position_has_fallen() {
         let tower = tower(&["xxx"], 0.0);
         let mut detector = FallDetector::new(tower.positions());
-        assert_eq!(detector.observe(&lowered(tower.positions(), 1, f64::NAN), None, 0.1, 0.0, None), [BodyId(1)]);
+        assert_eq!(
+            detector.observe(
+                &lowered(tower.positions(), 1, f64::NAN),
+                None,
+                FrameEnd { time: 0.1, max_speed: 0.0, held: None }
+            ),
+            [BodyId(1)]
+        );
         assert_eq!(detector.state(), TowerState::Fallen);
     }
 
@@ -146,14 +167,14 @@ mod tests {
         let tower = tower(&["xxx", "xxx"], 0.0);
         let mut detector = FallDetector::new(tower.positions());
         let mut positions = tower.positions().to_vec();
-        detector.observe(&positions, None, 1.0, 0.1, Some(BodyId(4)));
+        detector.observe(&positions, None, FrameEnd { time: 1.0, max_speed: 0.1, held: Some(BodyId(4)) });
         positions[4].z = 0.009;
-        detector.observe(&positions, None, 1.5, 0.1, None);
+        detector.observe(&positions, None, FrameEnd { time: 1.5, max_speed: 0.1, held: None });
         assert_eq!(detector.state(), TowerState::Moving);
-        detector.observe(&positions, None, 4.0, 0.0, None);
+        detector.observe(&positions, None, FrameEnd { time: 4.0, max_speed: 0.0, held: None });
         assert_eq!(detector.state(), TowerState::Standing);
         positions[3].z = 0.009;
-        assert_eq!(detector.observe(&positions, None, 4.1, 0.0, None), [BodyId(3)]);
+        assert_eq!(detector.observe(&positions, None, FrameEnd { time: 4.1, max_speed: 0.0, held: None }), [BodyId(3)]);
         assert_eq!(detector.state(), TowerState::Fallen);
     }
 
@@ -184,9 +205,13 @@ mod tests {
         let settled = settlement(&sunk, detector.heights()).expect("the blocks are strained");
         assert!((settled[53] - 0.1 * 17.5 * SIZE.z).abs() < 5e-6, "of the top row: {} m", settled[53]);
         assert!((settled[0] - 0.05 * SIZE.z).abs() < 5e-6, "of the lowest: {} m", settled[0]);
-        detector.observe(sunk.positions(), Some(&settled), 1.0, 0.0, None);
+        detector.observe(sunk.positions(), Some(&settled), FrameEnd { time: 1.0, max_speed: 0.0, held: None });
         assert_eq!(detector.state(), TowerState::Standing);
-        detector.observe(&lowered(sunk.positions(), 53, 0.006), Some(&settled), 1.1, 0.0, None);
+        detector.observe(
+            &lowered(sunk.positions(), 53, 0.006),
+            Some(&settled),
+            FrameEnd { time: 1.1, max_speed: 0.0, held: None },
+        );
         assert_eq!((detector.state(), detector.fallen()), (TowerState::Fallen, vec![BodyId(53)]));
     }
 }

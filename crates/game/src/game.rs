@@ -4,8 +4,8 @@ use teeter_physics::{BodyId, ContactReport, World};
 
 use crate::blocks::Blocks;
 use crate::command::{Command, Refusal};
-use crate::fall::FallDetector;
-use crate::hand::controller::{Ending, HandController};
+use crate::fall::{FallDetector, FrameEnd};
+use crate::hand::controller::{Ending, HandController, Touch};
 use crate::hand::grip::HoldGrip;
 use crate::hand::hold::Task;
 use crate::rest::{Motion, RestDetector};
@@ -16,6 +16,17 @@ use crate::tower_map::Slot;
 use crate::update::{Event, HandState, Update};
 
 /// A tower in play. All of its future follows from the simulator's state and the commands.
+///
+/// ```
+/// use teeter_game::{Command, Game, TowerState};
+/// use teeter_physics::{Params, World};
+///
+/// let scene = teeter_scene::named("tower").unwrap();
+/// let mut game = Game::new(World::new(&scene, Params::default())?);
+/// let update = game.step(&Command::Idle);
+/// assert_eq!((update.hand, update.tower), (None, TowerState::Standing));
+/// # Ok::<(), teeter_physics::BuildError>(())
+/// ```
 #[derive(Debug, Clone)]
 pub struct Game<S: Simulator = World> {
     pub(crate) simulator: S,
@@ -121,7 +132,7 @@ impl<S: Simulator> Game<S> {
         match *command {
             Command::Idle => {}
             Command::Grasp { body, anchor, normal, grip } => {
-                controller.grasp(blocks, body, anchor, normal, grip)?;
+                controller.grasp(blocks, body, &Touch { anchor, normal }, grip)?;
                 events.push(Event::Grasped { body });
             }
             Command::Move { displacement, slot, toward_viewer } => {
@@ -156,8 +167,8 @@ impl<S: Simulator> Game<S> {
 
     fn observe_tower(&mut self, max_speed: f64, held: Option<BodyId>, events: &mut Vec<Event>) {
         let settled = settlement(&self.blocks, self.fall.heights());
-        let time = self.simulator.time();
-        let bodies = self.fall.observe(self.blocks.positions(), settled.as_deref(), time, max_speed, held);
+        let frame = FrameEnd { time: self.simulator.time(), max_speed, held };
+        let bodies = self.fall.observe(self.blocks.positions(), settled.as_deref(), frame);
         if !bodies.is_empty() {
             events.push(Event::Fell { bodies });
         }

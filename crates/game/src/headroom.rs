@@ -11,6 +11,16 @@ const HEADROOM: f64 = 0.012;
 /// Returns true if the block can be lifted: nothing is above it within 12 mm.
 ///
 /// Load alone cannot decide this: a loose block carries nothing and still has the tower above it.
+///
+/// ```
+/// use teeter_game::{Blocks, is_free};
+/// use teeter_physics::{BodyId, Params, World};
+///
+/// let scene = teeter_scene::named("tower").unwrap();
+/// let blocks = Blocks::of(&World::new(&scene, Params::default())?);
+/// assert!(is_free(&blocks, BodyId(53)) && !is_free(&blocks, BodyId(0)));
+/// # Ok::<(), teeter_physics::BuildError>(())
+/// ```
 pub fn is_free(blocks: &Blocks, body: BodyId) -> bool {
     let size = blocks.size(body);
     let centre = blocks.position(body);

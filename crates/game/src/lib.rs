@@ -18,7 +18,7 @@ mod update;
 
 pub use blocks::Blocks;
 pub use command::{Command, Refusal};
-pub use fall::{FallDetector, TowerState};
+pub use fall::{FallDetector, FrameEnd, TowerState};
 pub use game::Game;
 pub use hand::clearance::TowerColumn;
 pub use hand::grip::{GripMode, HoldGrip};

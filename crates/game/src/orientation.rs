@@ -9,6 +9,14 @@ use glam::{DQuat, DVec3};
 const MAX_LEAN: f64 = 0.3;
 
 /// Angle of the rotation from `a` to `b`, rad, 0 to π.
+///
+/// ```
+/// use glam::{DQuat, DVec3};
+/// use teeter_game::angle_between;
+///
+/// let lean = DQuat::from_rotation_x(0.3);
+/// assert!((angle_between(DQuat::IDENTITY, lean) - 0.3).abs() < 1e-9);
+/// ```
 pub fn angle_between(a: DQuat, b: DQuat) -> f64 {
     2.0 * libm::acos(a.dot(b).abs().min(1.0))
 }
@@ -21,6 +29,14 @@ pub(crate) fn rotation_about_z(angle: f64) -> DQuat {
 
 /// Returns, of the four orientations in which a box looks the same as in `wanted`, the one nearest
 /// to `current`.
+///
+/// ```
+/// use glam::DQuat;
+/// use teeter_game::{angle_between, nearest_alike};
+///
+/// let current = DQuat::from_rotation_z(3.0);
+/// assert!(angle_between(nearest_alike(DQuat::IDENTITY, current), current) < 0.15);
+/// ```
 pub fn nearest_alike(wanted: DQuat, current: DQuat) -> DQuat {
     let half_turns = [DVec3::X, DVec3::Y, DVec3::Z].map(|axis| wanted * DQuat::from_vec4(axis.extend(0.0)));
     let nearer = |best: DQuat, alike: DQuat| {
@@ -34,6 +50,14 @@ pub fn nearest_alike(wanted: DQuat, current: DQuat) -> DQuat {
 ///
 /// Drawn level, a leaning block is lifted against what lies above it or pressed on what bears it. A
 /// block that leans by more than 0.3 rad is in no row and is drawn level.
+///
+/// ```
+/// use glam::DQuat;
+/// use teeter_game::slide_axis;
+///
+/// assert!((slide_axis(DQuat::from_rotation_y(-0.1)).z - 0.1f64.sin()).abs() < 1e-9);
+/// assert_eq!(slide_axis(DQuat::from_rotation_y(-0.5)).z, 0.0);
+/// ```
 pub fn slide_axis(orientation: DQuat) -> DVec3 {
     let axis = orientation * DVec3::X;
     if axis.z.abs() < libm::sin(MAX_LEAN) {
@@ -45,6 +69,15 @@ pub fn slide_axis(orientation: DQuat) -> DVec3 {
 
 /// Returns the orientation nearest to `current` in which the block lies flat, if it is within
 /// `limit` (rad), else `current`.
+///
+/// ```
+/// use glam::{DQuat, DVec3};
+/// use teeter_game::levelled;
+///
+/// let lean = DQuat::from_rotation_y(0.2);
+/// assert!((levelled(lean, 0.3) * DVec3::Z).z > 1.0 - 1e-9);
+/// assert_eq!(levelled(lean, 0.1), lean);
+/// ```
 pub fn levelled(current: DQuat, limit: f64) -> DQuat {
     let up = current * DVec3::Z;
     let flat = if up.z < 0.0 { DVec3::NEG_Z } else { DVec3::Z };
@@ -70,7 +103,7 @@ mod tests {
     }
 
     #[test]
-    fn the_nearest_of_the_orientations_that_look_alike_is_taken() {
+    fn the_nearest_of_the_equivalent_orientations_is_taken() {
         let z = rotation_about_z;
         assert!(angle_between(nearest_alike(z(0.0), z(3.0)), z(PI)) < 1e-6);
         assert!(angle_between(nearest_alike(z(0.0), z(0.2)), z(0.0)) < 1e-6);

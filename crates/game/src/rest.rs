@@ -22,11 +22,23 @@ pub struct Motion {
     pub form: BlockForm,
 }
 
-/// Detector of rest. A tower is at rest when its fastest body is slower than [`SETTLED_SPEED`] and the
-/// forces in its contacts stay the same.
+/// Detector of rest. A tower is at rest when its fastest body is slower than [`SETTLED_SPEED`] and
+/// the forces in its contacts stay the same.
 ///
 /// Low speed alone is not rest: gravity comes on over the first tenths of a second, and a block
 /// that tips begins slowly.
+///
+/// ```
+/// use teeter_game::{BlockForm, Motion, RestDetector};
+/// use teeter_scene::Form;
+///
+/// let form = BlockForm { form: Form::Rigid, spring_stiffness: 1e6 };
+/// let mut detector = RestDetector::default();
+/// for _ in 0..45 {
+///     detector.advance(Motion { max_speed: 0.0, held: false, form }, || Some(vec![0.2, 0.4]));
+/// }
+/// assert!(detector.at_rest());
+/// ```
 #[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize)]
 pub struct RestDetector {
     at_rest: bool,

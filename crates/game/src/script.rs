@@ -26,6 +26,17 @@ enum Stage {
 
 /// Commands, one a frame, of a player who draws a block out by its end, along its own length, and
 /// sets it down in a slot.
+///
+/// ```
+/// use teeter_game::{Command, Game, TakeAndPlace};
+/// use teeter_physics::{BodyId, Params, World};
+///
+/// let scene = teeter_scene::named("tower").unwrap();
+/// let game = Game::new(World::new(&scene, Params::default())?);
+/// let mut script = TakeAndPlace::new(BodyId(4), glam::DVec3::Y, 0.1, None);
+/// assert!(matches!(script.next(&game), Some(Command::Grasp { body: BodyId(4), .. })));
+/// # Ok::<(), teeter_physics::BuildError>(())
+/// ```
 #[derive(Debug, Clone, PartialEq)]
 pub struct TakeAndPlace {
     body: BodyId,

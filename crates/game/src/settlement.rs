@@ -11,6 +11,17 @@ use crate::tower_map::rows_by_height;
 ///
 /// A block is lower by what the rows beneath have lost in height, and by half of its own loss.
 /// `heights` are those of the centres when no block was strained, m.
+///
+/// ```
+/// use teeter_game::{Blocks, settlement};
+/// use teeter_physics::{Params, World};
+///
+/// let scene = teeter_scene::named("tower").unwrap();
+/// let blocks = Blocks::of(&World::new(&scene, Params::default())?);
+/// let heights: Vec<f64> = blocks.positions().iter().map(|position| position.z).collect();
+/// assert_eq!(settlement(&blocks, &heights), None);
+/// # Ok::<(), teeter_physics::BuildError>(())
+/// ```
 pub fn settlement(blocks: &Blocks, heights: &[f64]) -> Option<Vec<f64>> {
     if !blocks.is_strained() {
         return None;

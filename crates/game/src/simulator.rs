@@ -20,6 +20,17 @@ pub struct StepOutcome<R> {
 }
 
 /// A tower that is stepped a frame at a time and in which a hand can hold a body.
+///
+/// ```
+/// use teeter_game::Simulator;
+/// use teeter_physics::{Params, World};
+///
+/// let scene = teeter_scene::named("tower").unwrap();
+/// let mut world = World::new(&scene, Params::default())?;
+/// let outcome = Simulator::step(&mut world, None);
+/// assert_eq!(outcome.report.time, Simulator::time(&world));
+/// # Ok::<(), teeter_physics::BuildError>(())
+/// ```
 pub trait Simulator {
     /// Report on a frame.
     type Report: Serialize;
@@ -80,8 +91,8 @@ pub trait Simulator {
     /// The reason, as one line; nothing has changed then.
     fn set_block_form(&mut self, form: BlockForm) -> Result<(), String>;
 
-    /// Forces in the contacts by which rest is judged, N. Not a number where a body has none. `None`
-    /// for a simulator whose rest is not judged: its tower is never at rest.
+    /// Forces in the contacts by which rest is judged, N. Not a number where a body has none.
+    /// `None` for a simulator whose rest is not judged: its tower is never at rest.
     fn rest_forces(&self) -> Option<Vec<f64>> {
         None
     }

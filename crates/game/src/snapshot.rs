@@ -15,6 +15,18 @@ use crate::stiffness_ramp::{BlockForm, StiffnessRamp};
 const MAGIC: &[u8] = b"teeter-game\x00\x01";
 
 /// Reason why bytes are no snapshot of a game.
+///
+/// ```
+/// use teeter_game::{Game, RestoreError};
+/// use teeter_physics::{Params, World};
+///
+/// let scene = teeter_scene::named("tower").unwrap();
+/// let mut game = Game::new(World::new(&scene, Params::default())?);
+/// let bytes = game.snapshot();
+/// assert_eq!(game.restore(&bytes), Ok(()));
+/// assert_eq!(game.restore(&[]), Err(RestoreError::Magic));
+/// # Ok::<(), teeter_physics::BuildError>(())
+/// ```
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 pub enum RestoreError {
     /// The bytes do not begin like a snapshot of a game.

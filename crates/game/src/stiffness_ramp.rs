@@ -25,6 +25,17 @@ pub struct BlockForm {
 }
 
 /// Sequence of block forms that leads from the present one to the one last asked for.
+///
+/// ```
+/// use teeter_game::{BlockForm, StiffnessRamp};
+/// use teeter_scene::Form;
+///
+/// let rigid = BlockForm { form: Form::Rigid, spring_stiffness: 1e6 };
+/// let mut ramp = StiffnessRamp::new(rigid, 1e6);
+/// ramp.set_target(BlockForm { form: Form::Lattice, spring_stiffness: 1e4 });
+/// assert_eq!(ramp.advance(), Some(BlockForm { form: Form::Lattice, spring_stiffness: 1e6 }));
+/// assert!(ramp.advance().unwrap().spring_stiffness < 1e6);
+/// ```
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct StiffnessRamp {
     current: BlockForm,

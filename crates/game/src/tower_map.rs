@@ -73,6 +73,18 @@ struct FlatBlock {
 }
 
 /// Blocks that lie flat, and the rows and cells that they are in.
+///
+/// ```
+/// use teeter_game::{Blocks, CellId, TowerMap};
+/// use teeter_physics::{BodyId, Params, World};
+///
+/// let scene = teeter_scene::named("tower").unwrap();
+/// let blocks = Blocks::of(&World::new(&scene, Params::default())?);
+/// let map = TowerMap::new(&blocks, None);
+/// assert_eq!(map.cell_of(BodyId(53)), Some(CellId { row: 17, cell: 2 }));
+/// assert_eq!(map.slots(blocks.size(BodyId(53))).len(), 3);
+/// # Ok::<(), teeter_physics::BuildError>(())
+/// ```
 #[derive(Debug, Clone)]
 pub struct TowerMap {
     flat: Vec<FlatBlock>,

@@ -10,6 +10,18 @@ use crate::hand::grip::{GripMode, HoldGrip};
 use crate::tower_map::{CellId, Slot};
 
 /// State of a game after a frame; `R` is the report of its simulator.
+///
+/// ```
+/// use teeter_game::{Command, Game};
+/// use teeter_physics::{Params, World};
+///
+/// let scene = teeter_scene::named("tower").unwrap();
+/// let mut game = Game::new(World::new(&scene, Params::default())?);
+/// let update = game.step(&Command::Idle);
+/// let text = serde_json::to_string(&update).unwrap();
+/// assert!(text.contains(r#""tower":"standing""#) && update.events.is_empty());
+/// # Ok::<(), teeter_physics::BuildError>(())
+/// ```
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct Update<R> {
     /// Report of the simulator on the frame.
@@ -73,6 +85,14 @@ pub struct HandState {
 }
 
 /// Something that happened in a frame.
+///
+/// ```
+/// use teeter_game::Event;
+/// use teeter_physics::BodyId;
+///
+/// let event = Event::Poked { body: BodyId(7) };
+/// assert_eq!(serde_json::to_string(&event).unwrap(), r#"{"event":"poked","body":7}"#);
+/// ```
 #[derive(Debug, Clone, PartialEq, Serialize)]
 #[serde(tag = "event", rename_all = "snake_case")]
 pub enum Event {

@@ -33,7 +33,7 @@ struct Entry {
     /// Name of a file with one line of input a step; the steps after its end have none.
     #[serde(default)]
     inputs: Option<String>,
-    /// Name of a file with one line of a game's command a step, in place of the inputs.
+    /// Name of a file with one line of a game's command a step; the run then has no inputs.
     #[serde(default)]
     commands: Option<String>,
 }
@@ -46,7 +46,8 @@ struct Entry {
 ///
 /// let scene = teeter_scene::named("block").expect("the list has it");
 /// let inputs = vec![Input::default(); 10];
-/// let run = Run { name: "block".into(), scene, params: Params::default(), inputs, commands: Vec::new() };
+/// let (params, commands) = (Params::default(), Vec::new());
+/// let run = Run { name: "block".into(), scene, params, inputs, commands };
 /// let outcome = run.play(Width::Portable).expect("a valid scene");
 /// assert_eq!(outcome, run.play(Width::Auto).expect("a valid scene"));
 /// ```

@@ -42,7 +42,8 @@ pub struct Extraction {
 /// use teeter_physics::{BodyId, Params};
 /// use teeter_study::{extract, settled};
 ///
-/// let scene = teeter_scene::loose("(000)-(0L0)-(000)", &teeter_scene::TowerOptions::exact()).unwrap();
+/// let options = teeter_scene::TowerOptions::exact();
+/// let scene = teeter_scene::loose("(000)-(0L0)-(000)", &options).unwrap();
 /// let extraction = extract(&settled(&scene, Params::default())?, BodyId(4), DVec3::Y, 0.05);
 /// assert!(extraction.out && !extraction.fell);
 /// # Ok::<(), teeter_physics::BuildError>(())

@@ -1,5 +1,5 @@
-//! Prints the force that starts each block of a small tower sliding, beside the exact answer of rigid
-//! blocks.
+//! Prints the force that starts each block of a small tower sliding, beside the exact answer of
+//! rigid blocks.
 //!
 //! cargo run --release --example force_map
 

@@ -98,8 +98,8 @@ impl Game {
     }
 
     /// Load and tightness of each body from the contacts of the moment, two numbers a body: the
-    /// normal force on its upper face and the force that starts it sliding straight, N. Not a
-    /// number in place of the second where nothing bears the body. Of meaning at rest only.
+    /// normal force on its upper face and the force that starts it sliding straight, N. The second
+    /// is not a number where nothing bears the body. Of meaning at rest only.
     pub fn xray(&self) -> Vec<f64> {
         let world = self.game.world();
         views::loads(world, world.scene().friction)

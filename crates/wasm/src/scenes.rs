@@ -1,4 +1,4 @@
-//! Scenes made on the page's demand.
+//! Scenes for the page.
 
 use serde::Serialize;
 use teeter_scene::{NAMED, TowerOptions};
@@ -6,7 +6,8 @@ use wasm_bindgen::prelude::*;
 
 use crate::Error;
 
-/// A tower as scene JSON. `options` is the JSON of [`TowerOptions`]; a field that is absent keeps its usual value.
+/// A tower as scene JSON. `options` is the JSON of [`TowerOptions`]; a field that is absent has its
+/// default.
 #[wasm_bindgen(js_name = towerScene)]
 pub fn tower_scene(options: &str) -> Result<String, Error> {
     let options: TowerOptions = serde_json::from_str(options).map_err(|e| Error::json("tower options", e))?;

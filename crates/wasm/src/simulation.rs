@@ -1,4 +1,4 @@
-//! A world behind the border.
+//! Binding of a world: inputs and reports as JSON, poses as a view on wasm memory.
 
 use serde::Deserialize;
 use teeter_physics::{BodyId, Input, Params, World};
@@ -19,7 +19,8 @@ pub struct Simulation {
 
 #[wasm_bindgen]
 impl Simulation {
-    /// Builds a world from a scene (JSON) and the constants of the run (JSON of [`Params`]; empty text for the usual ones).
+    /// Builds a world from a scene (JSON) and the constants of the run (JSON of [`Params`]; empty
+    /// text for the defaults).
     #[wasm_bindgen(constructor)]
     pub fn new(scene: &str, params: &str) -> Result<Simulation, Error> {
         let scene = Scene::from_json(scene).map_err(Error::rejected)?;
@@ -32,9 +33,11 @@ impl Simulation {
         Ok(Self { world, friction: scene.friction, lattices: Vec::new() })
     }
 
-    /// Advances by one frame under `input` (JSON of [`Input`]; empty text for none) and gives the report as JSON.
+    /// Advances by a frame under `input` (JSON of [`Input`]; empty text for none) and returns the
+    /// report as JSON.
     ///
-    /// A hand, force or drive on a body that does not exist is an error, and the world stays as it was.
+    /// A hand, force or drive on a body that does not exist is an error, and the world stays as it
+    /// was.
     pub fn step(&mut self, input: &str) -> Result<String, Error> {
         let input: Input = if input.trim().is_empty() {
             Input::default()
@@ -54,7 +57,8 @@ impl Simulation {
         serde_json::to_string(&report).map_err(|e| Error::json("report", e))
     }
 
-    /// Where the poses lie in wasm memory: seven doubles a body, position (m) and orientation (x, y, z, w). Any later call may move them, so make the view anew.
+    /// Address of the poses in wasm memory: seven doubles a body, position (m) and orientation (x,
+    /// y, z, w). Any later call may move them, so each view is made again.
     #[wasm_bindgen(js_name = posesPtr)]
     pub fn poses_ptr(&self) -> *const f64 {
         self.world.poses().as_ptr()
@@ -71,40 +75,41 @@ impl Simulation {
         views::sizes(&self.world)
     }
 
-    /// The loaded contacts of a body as JSON: `[{"other", "point", "normal", "force"}]`.
+    /// Loaded contacts of a body as JSON: `[{"other", "point", "normal", "force"}]`.
     pub fn contacts(&self, body: u32) -> Result<String, Error> {
         let body = self.check(body)?;
         serde_json::to_string(&self.world.contacts(body)).map_err(|e| Error::json("contacts", e))
     }
 
-    /// Whether a body sleeps.
+    /// Returns true if a body sleeps.
     pub fn asleep(&self, body: u32) -> Result<bool, Error> {
         let body = self.check(body)?;
         Ok(self.world.is_asleep(body))
     }
 
-    /// Hash of the whole state, 16 hexadecimal digits.
+    /// Hash of the state, 16 hexadecimal digits.
     pub fn hash(&self) -> String {
         format!("{:016x}", self.world.hash())
     }
 
-    /// The whole state as bytes.
+    /// State as bytes.
     pub fn snapshot(&self) -> Vec<u8> {
         self.world.snapshot()
     }
 
-    /// Takes back a state of the same scene and constants. Bytes that are none leave the world as it was.
+    /// Takes over a state of the same scene and constants. Bytes that are none leave the world as
+    /// it was.
     pub fn restore(&mut self, bytes: &[u8]) -> Result<(), Error> {
         self.world.restore(bytes).map_err(Error::rejected)
     }
 
-    /// Stiffness of the scene, N/m.
+    /// Stiffness of the contacts, N/m.
     #[wasm_bindgen(getter)]
     pub fn stiffness(&self) -> f64 {
         self.world.stiffness()
     }
 
-    /// What the blocks are: `rigid` or `lattice`.
+    /// Form of the blocks: `rigid` or `lattice`.
     #[wasm_bindgen(getter)]
     pub fn form(&self) -> String {
         self.world.form().to_string()
@@ -116,27 +121,28 @@ impl Simulation {
         self.world.spring_stiffness()
     }
 
-    /// Makes the blocks of another form (JSON of `{"form", "springs"}` as in a scene) where they are and as they move. What cannot be leaves the
-    /// world as it was.
+    /// Gives the blocks another form (JSON of `{"form", "springs"}` as in a scene) with their poses
+    /// and velocities. A form that is refused leaves the world as it was.
     #[wasm_bindgen(js_name = setForm)]
     pub fn set_form(&mut self, form: &str) -> Result<(), Error> {
         let Blocks { form, springs } = serde_json::from_str(form).map_err(|e| Error::json("form", e))?;
         self.world.set_form(form, springs).map_err(Error::rejected)
     }
 
-    /// Writes down the particles and springs of all bodies and says where they lie in wasm memory: 52 floats a body, the places of its 8
-    /// particles (m, in the world) and the forces of its 28 springs (N, pulling is positive; between particles 0 and 1, 0 and 2, ... 6
-    /// and 7). Bit k of a particle's number says on which side of axis k of the block it is. Nothing where the blocks are rigid. Any later
-    /// call may move them, so make the view anew.
+    /// Address in wasm memory of the particles and springs of all bodies, written by this call: 52
+    /// floats a body, the positions of its 8 particles (m, in the world) and the forces of its 28
+    /// springs (N, tension is positive; between particles 0 and 1, 0 and 2, ... 6 and 7). Bit k of
+    /// a particle's number says on which side of axis k of the block it is. Nothing where the
+    /// blocks are rigid. Any later call may move them, so each view is made again.
     #[wasm_bindgen(js_name = latticesPtr)]
     pub fn lattices_ptr(&mut self) -> *const f32 {
         views::write_lattices(&self.world, &mut self.lattices);
         self.lattices.as_ptr()
     }
 
-    /// What each body carries and how tight it is, as [`teeter_study::xray`] has it of the contacts of the moment: two numbers a body, the normal force on its
-    /// upper face and the force that starts it sliding straight, N. Of a body that nothing bears the second is NaN. It tells of rest: while bodies move
-    /// their contacts carry blows besides.
+    /// Load and tightness of each body from the contacts of the moment, two numbers a body: the
+    /// normal force on its upper face and the force that starts it sliding straight, N. The second
+    /// is not a number where nothing bears the body. Of meaning at rest only: blows count too.
     pub fn xray(&self) -> Vec<f64> {
         views::loads(&self.world, self.friction)
     }
@@ -181,7 +187,7 @@ mod tests {
     }
 
     #[test]
-    fn what_is_no_scene_or_no_input_is_told_in_one_line() {
+    fn an_invalid_scene_or_input_is_an_error_of_one_line() {
         for (scene, params) in
             [("{", ""), ("[]", ""), (ONE, "{\"stiffness\": 1e6}"), (ONE, "nonsense"), ("{\"name\": NaN}", "")]
         {
@@ -213,28 +219,28 @@ mod tests {
         assert_eq!(simulation.spring_stiffness(), Some(2e6));
     }
 
-    /// The node tests ask the same of the build for the page.
+    /// The node tests check the same of the build for the page.
     #[test]
     fn the_xray_is_that_of_the_study() {
         let mut simulation = Simulation::new(&crate::tower_scene(r#"{"rows": 18, "seed": 1}"#).unwrap(), "").unwrap();
         for _ in 0..120 {
             simulation.step("").unwrap();
         }
-        let (told, loads) = (simulation.xray(), xray(&simulation.world, 0.4));
-        assert_eq!(told.len(), 2 * loads.len());
-        for (told, load) in told.chunks_exact(2).zip(&loads) {
-            assert_eq!(told, [load.above_n, load.tightness_n]);
+        let (numbers, loads) = (simulation.xray(), xray(&simulation.world, 0.4));
+        assert_eq!(numbers.len(), 2 * loads.len());
+        for (numbers, load) in numbers.chunks_exact(2).zip(&loads) {
+            assert_eq!(numbers, [load.above_n, load.tightness_n]);
         }
         assert_eq!(loads.iter().filter(|load| load.is_loose()).count(), 27);
-        assert_eq!(loads.iter().filter(|load| load.tightness_n < 0.1).count(), 27, "what the page calls loose");
+        assert_eq!(loads.iter().filter(|load| load.tightness_n < 0.1).count(), 27, "loose on the page");
     }
 
     #[test]
-    fn what_nothing_bears_has_no_pull() {
+    fn a_body_without_support_has_no_tightness() {
         let mut simulation = Simulation::new(&ONE.replace("0.009]", "0.5]"), "").unwrap();
         simulation.step("").unwrap();
-        let told = simulation.xray();
-        assert!(told[0] == 0.0 && told[1].is_nan(), "{told:?}");
+        let numbers = simulation.xray();
+        assert!(numbers[0] == 0.0 && numbers[1].is_nan(), "{numbers:?}");
     }
 
     #[test]

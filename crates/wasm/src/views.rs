@@ -15,7 +15,7 @@ pub fn write_lattices(world: &World, target: &mut Vec<f32>) {
 }
 
 /// Normal force on the upper face of each body and the force that starts it sliding straight, N,
-/// two numbers a body. Not a number in place of the second where nothing bears the body.
+/// two numbers a body. The second is not a number where nothing bears the body.
 pub fn loads(world: &World, friction: f64) -> Vec<f64> {
     let pull = |load: &Load| if load.below_n > 0.0 { load.tightness_n } else { f64::NAN };
     xray(world, friction).iter().flat_map(|load| [load.above_n, pull(load)]).collect()

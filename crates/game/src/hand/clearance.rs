@@ -9,6 +9,15 @@ use crate::tower_map::Slot;
 const MARGIN: f64 = 0.006;
 
 /// Upright cylinder around the tower.
+///
+/// ```
+/// use glam::DVec3;
+/// use teeter_game::TowerColumn;
+///
+/// let column = TowerColumn { axis: DVec3::ZERO, radius: 0.1, height: 0.3 };
+/// let kept = column.keep_clear(DVec3::ZERO, DVec3::X, DVec3::X);
+/// assert_eq!(kept, DVec3::X * 0.1);
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct TowerColumn {
     /// Point on the axis of the tower; its height has no meaning.

@@ -65,6 +65,15 @@ pub enum Ending {
     GivenUp,
 }
 
+/// Touched point of a block.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Touch {
+    /// The point, in the block's frame, m.
+    pub anchor: DVec3,
+    /// Outward normal of the face that was touched, in the world.
+    pub normal: DVec3,
+}
+
 /// Constants of the hand, and the block in it.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct HandController {
@@ -103,14 +112,8 @@ impl HandController {
     }
 
     /// Grasps a block. A poke in progress ends.
-    pub fn grasp(
-        &mut self,
-        blocks: &Blocks,
-        body: BodyId,
-        anchor: DVec3,
-        normal: DVec3,
-        mode: GripMode,
-    ) -> Result<(), Refusal> {
+    pub fn grasp(&mut self, blocks: &Blocks, body: BodyId, touch: &Touch, mode: GripMode) -> Result<(), Refusal> {
+        let Touch { anchor, normal } = *touch;
         check_body(blocks, body)?;
         check("anchor", anchor, anchor.abs().cmple(blocks.size(body)).all(), "a point of the block")?;
         let axis = -normal.normalize_or_zero();

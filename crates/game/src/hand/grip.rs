@@ -5,6 +5,12 @@ use serde::{Deserialize, Serialize};
 use teeter_physics::Grip;
 
 /// Grip that the player asks for.
+///
+/// ```
+/// use teeter_game::GripMode;
+///
+/// assert_eq!(serde_json::from_str::<GripMode>(r#""auto""#).unwrap(), GripMode::Auto);
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "lowercase")]
 pub enum GripMode {

@@ -26,6 +26,17 @@ pub struct LimitedGoal {
 }
 
 /// Target of the hand's spring.
+///
+/// ```
+/// use glam::{DQuat, DVec3};
+/// use teeter_game::{LimitedGoal, TargetLimiter};
+///
+/// let mut limiter = TargetLimiter::new(DVec3::ZERO, DQuat::IDENTITY);
+/// let (position, orientation) = (DVec3::X, None);
+/// let goal = LimitedGoal { position, orientation, max_speed: 0.5, max_lead: 0.03 };
+/// limiter.advance(&goal, DVec3::ZERO, false, 0.02);
+/// assert!((limiter.position().x - 0.01).abs() < 1e-12);
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub struct TargetLimiter {
     position: DVec3,

@@ -48,6 +48,16 @@ pub struct Waypoint {
 
 /// Next waypoint of a block at `centre` with `orientation` to a slot. It hovers above the slot
 /// unless `set_down`: then it goes on until it touches.
+///
+/// ```
+/// use glam::{DQuat, DVec3};
+/// use teeter_game::{Slot, Stage, waypoint};
+///
+/// let (position, orientation) = (DVec3::Z * 0.3, DQuat::IDENTITY);
+/// let slot = Slot { row: 18, cell: 1, position, orientation, clearance: 0.02 };
+/// let beside = DVec3::new(0.2, 0.0, 0.1);
+/// assert_eq!(waypoint(beside, orientation, &slot, true).stage, Stage::Rise);
+/// ```
 pub fn waypoint(centre: DVec3, orientation: DQuat, slot: &Slot, set_down: bool) -> Waypoint {
     let wanted = nearest_alike(slot.orientation, orientation);
     let offset = (centre - slot.position).truncate().length();

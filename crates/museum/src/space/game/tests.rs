@@ -39,8 +39,8 @@ fn a_top_block_is_lifted_and_set_down_in_its_row_again() {
         game.step(&Command::Move { displacement: DVec3::Z * 0.002, slot: None, toward_viewer: None });
     }
     assert!(game.blocks().position(body).z > start.z + 0.03);
-    let place = [Command::Place { body: None, slot: None }];
-    let events = place.into_iter().chain([Command::Idle; 240]).flat_map(|command| game.step(&command).events);
+    let commands = [Command::Place { body: None, slot: None }].into_iter().chain([Command::Idle; 240]);
+    let events = commands.flat_map(|command| game.step(&command).events);
     let events: Vec<Event> = events.collect();
     assert_eq!(events, [Event::Placed { body, slot: CellId { row: 2, cell: 1 } }]);
     assert!(game.blocks().position(body).distance(start) < 2e-3);
