@@ -62,12 +62,28 @@ export function longProse(source) {
   return out;
 }
 
-/** Returns the lines of comments that are too long; a comment behind code counts as code. */
+/** Returns the numbers of the lines between the fences of code examples in doc comments. */
+function exampleLines(lines) {
+  const inside = new Set();
+  let open = false;
+  lines.forEach((text, i) => {
+    if (/^\s*\/\/[/!]\s*```/.test(text)) open = !open;
+    else if (open) inside.add(i + 1);
+  });
+  return inside;
+}
+
+/**
+ * Returns the lines of comments that are too long; a comment behind code and an example in a doc
+ * comment count as code.
+ */
 export function longComments(source, lang) {
   const lines = source.split('\n');
+  const examples = exampleLines(lines);
   const long = new Set();
   for (const { line, kind, text } of segments(source, lang)) {
     const whole = lines[line - 1];
+    if (examples.has(line)) continue;
     if (kind !== 'comment' || whole.trim() !== text.trim() || /^\s*(\/\/[/!]?|\*) *\|/.test(whole)) continue;
     if ([...whole].length > MAX_COLUMNS && !unbreakable(whole)) long.add(line);
   }

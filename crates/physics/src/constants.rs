@@ -56,7 +56,7 @@ pub const MAXWELL_TIME: f64 = 0.01;
 pub const TANGENTIAL_STIFFNESS: f64 = 0.8;
 /// Tangential over normal damping.
 pub const TANGENTIAL_DAMPING: f64 = 0.9;
-/// Sliding speed at which friction has fallen half way from static to kinetic, m/s.
+/// Sliding speed at which friction is halfway between static and kinetic, m/s.
 pub const STRIBECK_SPEED: f64 = 1e-3;
 
 /// Range of the detection margin of a body, m. Within it the margin is speed times [`MARGIN_TIME`].

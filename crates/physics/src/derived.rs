@@ -69,8 +69,9 @@ impl Derived {
 
 /// Longest stable substep times sqrt(k / m) at a damping ratio, from 0.14 to 0.20 for rigid blocks.
 ///
-/// It solves 2 k X h² + 2 c X h = [`STEP_LIMIT`] with X m = `mobility` and c = 2 zeta sqrt(k m / 2),
-/// for nominal blocks that cross at their ends. [`crate::kernel::packing`] has the condition.
+/// It solves 2 k X h² + 2 c X h = [`STEP_LIMIT`] with X m = `mobility` and
+/// c = 2 zeta sqrt(k m / 2), for nominal blocks that cross at their ends.
+/// [`crate::kernel::packing`] has the condition.
 fn step_fraction(zeta: f64, mobility: f64) -> f64 {
     let spring = 2.0 * mobility;
     let damper = 2.0 * mobility * zeta * std::f64::consts::SQRT_2;

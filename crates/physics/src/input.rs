@@ -36,7 +36,7 @@ impl Input {
         Self { hand: Some(hand), ..Self::default() }
     }
 
-    /// One force and nothing else.
+    /// A force and nothing else.
     pub fn force(force: AppliedForce) -> Self {
         Self::forces(vec![force])
     }
@@ -78,7 +78,7 @@ pub enum Grip {
     Slide,
     /// A block in the air: moved in all directions, its weight carried.
     Carry,
-    /// One fingertip: pushes along `axis` (unit vector, world), never pulls, and holds no
+    /// A fingertip: pushes along `axis` (unit vector, world), never pulls, and holds no
     /// orientation.
     Push {
         /// Direction of the push, unit vector in the world.

@@ -26,7 +26,8 @@ pub enum Precision {
     Double,
 }
 
-/// Register width of the inner loop. All give the same bits: the choice is for measurements and tests.
+/// Register width of the inner loop. All give the same bits: the choice is for measurements and
+/// tests.
 ///
 /// A processor without a width uses the widest below it. Where the target leaves no choice, as in
 /// WebAssembly, every width means the one that the program was built for.

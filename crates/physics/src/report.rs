@@ -37,8 +37,8 @@ pub struct StepReport {
     pub max_speed: f64,
     /// Root mean square of the bodies' speeds at the end, m/s.
     pub rms_speed: f64,
-    /// Bodies frozen during this step because their state was not finite or ran away; they no longer
-    /// move.
+    /// Bodies frozen during this step because their state was not finite or ran away; they no
+    /// longer move.
     pub quarantined: Vec<BodyId>,
     /// Report of the hand; none where there was no hand.
     pub hand: Option<HandReport>,
@@ -120,7 +120,7 @@ pub struct ContactReport {
 pub struct LatticeReport {
     /// Positions in the world, m.
     pub particles: [DVec3; 8],
-    /// Forces of the springs, N; tension is positive. In the order of the pairs of particles (0, 1),
-    /// (0, 2), ... (6, 7).
+    /// Forces of the springs, N; tension is positive. In the order of the pairs of particles
+    /// (0, 1), (0, 2), ... (6, 7).
     pub forces: [f64; 28],
 }

@@ -44,30 +44,30 @@ fn any_vector(reach: f64) -> impl Strategy<Value = DVec3> {
 
 /// Input for some frames; the body is the index modulo the number of bodies.
 #[derive(Debug, Clone)]
-enum Act {
+enum Action {
     Nothing,
     Drive(u32, DVec3),
     Force(u32, DVec3, DVec3),
     Hand(u32, DVec3, Grip),
 }
 
-fn any_act() -> impl Strategy<Value = Act> {
+fn any_action() -> impl Strategy<Value = Action> {
     let grip = prop_oneof![Just(Grip::Slide), Just(Grip::Carry), Just(Grip::Push { axis: DVec3::X })];
     prop_oneof![
-        Just(Act::Nothing),
-        (any::<u32>(), any_vector(4.0)).prop_map(|(i, v)| Act::Drive(i, v)),
-        (any::<u32>(), any_vector(0.03), any_vector(5.0)).prop_map(|(i, at, f)| Act::Force(i, at, f)),
-        (any::<u32>(), any_vector(0.05), grip).prop_map(|(i, ahead, grip)| Act::Hand(i, ahead, grip)),
+        Just(Action::Nothing),
+        (any::<u32>(), any_vector(4.0)).prop_map(|(i, v)| Action::Drive(i, v)),
+        (any::<u32>(), any_vector(0.03), any_vector(5.0)).prop_map(|(i, at, f)| Action::Force(i, at, f)),
+        (any::<u32>(), any_vector(0.05), grip).prop_map(|(i, ahead, grip)| Action::Hand(i, ahead, grip)),
     ]
 }
 
-fn input(act: &Act, world: &World) -> Input {
+fn input(act: &Action, world: &World) -> Input {
     let body = |i: u32| BodyId(i % world.len() as u32);
     match *act {
-        Act::Nothing => Input::default(),
-        Act::Drive(i, velocity) => Input::drives(vec![Drive::new(body(i), velocity)]),
-        Act::Force(i, point, force) => Input::force(AppliedForce { body: body(i), point, force }),
-        Act::Hand(i, ahead, grip) => {
+        Action::Nothing => Input::default(),
+        Action::Drive(i, velocity) => Input::drives(vec![Drive::new(body(i), velocity)]),
+        Action::Force(i, point, force) => Input::force(AppliedForce { body: body(i), point, force }),
+        Action::Hand(i, ahead, grip) => {
             let pose = world.pose(body(i));
             let hand = Hand::carry(body(i), DVec3::ZERO, pose.position + ahead, pose.orientation);
             Input::hand(Hand { grip, ..hand.without_orientation() })
@@ -81,7 +81,7 @@ proptest! {
     #[test]
     fn states_stay_finite_restore_and_agree_between_widths(
         scene in any_scene(),
-        acts in prop::collection::vec(any_act(), 1..8),
+        acts in prop::collection::vec(any_action(), 1..8),
         double in any::<bool>(),
         sleep in any::<bool>(),
     ) {

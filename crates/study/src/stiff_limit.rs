@@ -1,7 +1,7 @@
 //! Forces of springs between rigid blocks in the limit of high stiffness.
 //!
-//! Rigid blocks that lie flat on each other can share a load between the corners of a patch in more
-//! than one way. Springs of a given stiffness per area have one solution, the minimum of
+//! Rigid blocks that lie flat on each other can share a load between the corners of a patch in many
+//! distributions. Springs of a given stiffness per area have one solution, the minimum of
 //!
 //! ```text
 //! E(u) = sum w u + 1/2 sum k_i max(0, -(gap_i + a_i u))^2
@@ -142,7 +142,7 @@ impl Energy<'_> {
 mod tests {
     use super::*;
 
-    /// One of three springs under a weight is too short: the others carry it by their shares.
+    /// A spring of three under a weight is too short: the others carry it by their shares.
     #[test]
     fn springs_that_are_not_reached_have_no_force() {
         let spring = |gap, share| Spring { coefficients: vec![(0, 1.0)], gap, share };

@@ -45,8 +45,8 @@ pub struct Step<'a> {
 ///
 /// Eq. 2.9 gives each side its share of j along the normal. Eq. 2.11 changes the normal relative
 /// velocity from v to -e v, so j = -(1 + e) v / (1/Ma + 1/Mb). Eq. 2.10 and 4.13 have the factor
-/// (1 - e) in print, which gives an elastic collision no impulse. The inverse masses are those of the
-/// contact point, Σ w²/m; with those of single particles Eq. 2.11 would not hold.
+/// (1 - e) in print, which gives an elastic collision no impulse. The inverse masses are those of
+/// the contact point, Σ w²/m; with those of single particles Eq. 2.11 would not hold.
 ///
 /// Velocities alone would leave the blocks inside each other, so the same law applies to the
 /// displacements of the particles over the step.

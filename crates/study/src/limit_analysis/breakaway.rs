@@ -64,8 +64,8 @@ impl RigidTower<'_> {
             * (self.force_below(block) + self.force_above(block).min(mates.map(|j| self.force_above(j)).sum()))
     }
 
-    /// Returns the smallest force along its long axis, either way, at which the tower begins to
-    /// rock, N; none where the block is too low for the tower to rock.
+    /// Returns the smallest force along its long axis, in either direction, at which the tower
+    /// begins to rock, N; none where the block is too low for the tower to rock.
     ///
     /// # Panics
     /// When the tower has no block of that index.
