@@ -125,7 +125,7 @@ function gameGetters({ store, stage, hand }: Inspected) {
     springs: () => (frame() ? frame()!.update.spring_stiffness : (store.state.world?.springs ?? null)),
     poses: () => Array.from(stage.bodies?.newest ?? []),
     sizes: () => Array.from(stage.bodies?.sizes ?? []),
-    quarantined: () => report()?.quarantined ?? [],
+    quarantined: () => frame()?.update.quarantined ?? [],
     hand: () => handFields(hand),
     slots: () => hand.slots.map(slot => slot.position as number[]),
   };

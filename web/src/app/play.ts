@@ -120,7 +120,7 @@ export class Play {
     const { update } = frame;
     if (!store.state.world) return;
     this.stage.receive(frame);
-    this.reportQuarantined(update, store.state.frame?.update ?? null);
+    this.reportQuarantined(update);
     store.set({ frame });
     // The form changes only by a command; the device's choice then no longer counts.
     if (update.form !== store.state.form.value) store.set({ form: { value: update.form, chosen: false } });
@@ -131,10 +131,8 @@ export class Play {
       this.notice.show(`Slow motion, ${frame.factor.toFixed(1)}×: this device cannot keep up.`);
   }
 
-  private reportQuarantined({ report }: Update, before: Update | null): void {
-    for (const body of report.quarantined) {
-      if (!before?.report.quarantined.includes(body))
-        this.notice.show(`Block ${body} became unstable and was frozen where it was.`, LONG);
-    }
+  private reportQuarantined({ report }: Update): void {
+    for (const body of report.quarantined)
+      this.notice.show(`Block ${body} became unstable and was frozen where it was.`, LONG);
   }
 }

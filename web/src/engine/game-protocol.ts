@@ -38,8 +38,9 @@ export type GameCommand =
   | { command: 'move'; displacement: Vec; slot: SlotId | null; toward_viewer: [number, number] | null }
   /** Rotates the target orientation of a carried block about its centre. */
   | { command: 'turn'; rotation: Quat }
-  /** Sets down the held block, or a free one that is named; the nearest free slot where `slot` is null. */
+  /** Sets down the held block, or a free one that is named. Null takes the slot that attracts it, else the nearest. */
   | { command: 'place'; body: number | null; slot: SlotId | null }
+  /** Pushes the held block in by a few millimetres, or releases one that cannot be poked. */
   | { command: 'poke' }
   | { command: 'release' }
   /** Largest force, N; slow motion; whether the hand can turn a block. Absent fields keep their value. */
@@ -62,6 +63,10 @@ export interface HandUpdate {
   body: number;
   grip: Grip;
   mode: GripMode;
+  /** Grasped point in the body's frame, m. */
+  anchor: Vec;
+  /** Directions in which the goal can be moved, unit vectors: along and across, or inwards. Empty for a carried block. */
+  axes: Vec[];
   /** Force of the hand on the block, N. */
   force: Vec;
   /** True while the force is at its limit. */
@@ -83,6 +88,7 @@ export interface HandUpdate {
 }
 
 export type GameEvent =
+  | { event: 'grasped'; body: number }
   | { event: 'released'; body: number }
   | { event: 'placed'; body: number; slot: SlotId }
   | { event: 'poked'; body: number }
@@ -101,7 +107,7 @@ export interface StepReport {
   penetration: number;
   /** Speed of the fastest body, m/s. */
   max_speed: number;
-  /** Bodies frozen so far because their state was no longer finite. */
+  /** Bodies frozen in this step because their state was no longer finite. */
   quarantined: number[];
   hand: { force: Vec; torque: Vec; capped: boolean; point: Vec } | null;
 }
@@ -114,6 +120,8 @@ export interface Update {
   tower: TowerState;
   /** Bodies that have fallen. */
   fallen: number[];
+  /** Bodies frozen so far because their state was no longer finite. */
+  quarantined: number[];
   /** True when the contact forces are those of rest. */
   at_rest: boolean;
   form: Form;

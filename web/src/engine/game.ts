@@ -1,166 +1,108 @@
-// The game of the page: the engine's world with a hand, stepped by commands. It has no clock and no messages.
+// A game in wasm memory: commands in, updates and arrays out. It has no clock and no messages.
 
-import { ControlledGame } from '../hand/control/controlled-game';
-import type { Blocks, HandTarget, Simulator } from '../hand/control/simulator';
 import { LATTICE_STRIDE, maxDeformation, strains } from '../view/lattice';
-import { Simulation } from '../wasm/teeter_wasm.js';
+import { Game as WasmGame } from '../wasm/teeter_wasm.js';
 import { FRAME, POSE_STRIDE, type Contact, type Form } from './game-protocol';
-import type { GameCommand, StepReport, Update } from './game-protocol';
-import type { Scene } from './scene';
+import type { GameCommand, Update } from './game-protocol';
+import { particleOffset } from './scene';
 
 /** Displacement of a block's corner by deformation from which it is visible, m. */
 const VISIBLE = 5e-5;
 
-class World implements Simulator {
+export class Game {
+  /** Number of bodies. */
   readonly length: number;
-  readonly sizes: Float32Array;
-  readonly handStiffness = null;
-  /** Fields of the scene about springs, of which only the stiffness changes. */
-  private readonly springs: Scene['springs'];
+  /** Distance of the particles from the block's centre along each axis, over half the edge. */
+  readonly particleOffset: number;
+  private readonly game: WasmGame;
+  private readonly edges: Float32Array;
 
   /** Throws an Error whose message is for the user. */
   constructor(
-    readonly simulation: Simulation,
     scene: string,
+    sleep: boolean,
     private readonly memory: WebAssembly.Memory,
   ) {
-    this.length = simulation.length;
-    this.sizes = Float32Array.from(simulation.sizes());
-    this.springs = (JSON.parse(scene) as Scene).springs;
-  }
-
-  get stiffness(): number {
-    return this.simulation.stiffness;
-  }
-
-  get form(): Form {
-    return this.simulation.form as Form;
-  }
-
-  get springStiffness(): number | null {
-    return this.simulation.springStiffness ?? null;
-  }
-
-  get particleOffset(): number {
-    return this.springs?.particles === 'corners' ? 1 : 1 / Math.sqrt(3);
-  }
-
-  // Memory may have grown since the last view, so each one is new.
-  poses(): Float64Array {
-    return new Float64Array(this.memory.buffer, this.simulation.posesPtr(), this.length * POSE_STRIDE);
-  }
-
-  lattices(): Float32Array | null {
-    if (this.form === 'rigid') return null;
-    // The pointer comes first: writing the particles may let memory grow.
-    const pointer = this.simulation.latticesPtr();
-    return new Float32Array(this.memory.buffer, pointer, this.length * LATTICE_STRIDE);
-  }
-
-  deformed(): Float32Array | null {
-    const lattices = this.lattices();
-    if (!lattices) return null;
-    const strain = strains(lattices, this.poses(), this.sizes, this.particleOffset);
-    return maxDeformation(strain, this.sizes) < VISIBLE ? null : lattices;
-  }
-
-  contacts(body: number): Contact[] {
-    return JSON.parse(this.simulation.contacts(body)) as Contact[];
-  }
-
-  contactForces(): Float32Array {
-    return Float32Array.from(this.simulation.xray());
-  }
-
-  setBlocks({ form, springs }: Blocks): void {
-    this.simulation.setForm(JSON.stringify({ form, springs: { ...this.springs, stiffness: springs } }));
-  }
-
-  step(hand: HandTarget | null): StepReport {
-    return JSON.parse(this.simulation.step(hand ? JSON.stringify({ hand }) : '')) as StepReport;
-  }
-}
-
-export class Game {
-  private readonly world: World;
-  private readonly control: ControlledGame;
-
-  /** Throws an Error whose message is for the user. */
-  constructor(scene: string, sleep: boolean, memory: WebAssembly.Memory) {
-    const simulation = new Simulation(scene, JSON.stringify({ sleep, frame: FRAME }));
-    this.world = new World(simulation, scene, memory);
-    this.control = new ControlledGame(this.world);
+    this.game = new WasmGame(scene, JSON.stringify({ sleep, frame: FRAME }));
+    this.length = this.game.length;
+    this.edges = Float32Array.from(this.game.sizes());
+    this.particleOffset = particleOffset(scene);
   }
 
   free(): void {
-    this.world.simulation.free();
-  }
-
-  /** Number of bodies. */
-  get length(): number {
-    return this.world.length;
+    this.game.free();
   }
 
   /** Stiffness of the contacts, N/m. */
   get stiffness(): number {
-    return this.world.stiffness;
+    return this.game.stiffness;
   }
 
   get form(): Form {
-    return this.world.form;
+    return this.game.form as Form;
   }
 
   /** Current stiffness of the springs inside the blocks, N/m; null where they are rigid. */
   get springStiffness(): number | null {
-    return this.world.springStiffness;
-  }
-
-  /** Distance of the particles from the block's centre along each axis, as a fraction of half the edge. */
-  get particleOffset(): number {
-    return this.world.particleOffset;
+    return this.game.springStiffness ?? null;
   }
 
   /** Edge lengths, three numbers per body, m; a copy that may be transferred. */
   sizes(): Float32Array {
-    return this.world.sizes.slice();
+    return this.edges.slice();
   }
 
   /** Poses, seven numbers per body; a copy that may be transferred. */
   poses(): Float32Array {
-    return Float32Array.from(this.world.poses());
+    return Float32Array.from(this.poseView());
   }
 
-  /** Particles and springs, a copy that may be transferred; null where they are neither `watched` nor visibly deform a block. */
+  /**
+   * Particles and springs, a copy that may be transferred. Null where they are neither `watched`
+   * nor visibly deform a block.
+   */
   lattices(watched: boolean): Float32Array | null {
-    const lattices = watched ? this.world.lattices() : this.world.deformed();
-    return lattices?.slice() ?? null;
+    if (this.form === 'rigid') return null;
+    // The pointer comes first: writing the particles may let memory grow.
+    const pointer = this.game.latticesPtr();
+    const lattices = new Float32Array(this.memory.buffer, pointer, this.length * LATTICE_STRIDE);
+    if (!watched) {
+      const strain = strains(lattices, this.poseView(), this.edges, this.particleOffset);
+      if (maxDeformation(strain, this.edges) < VISIBLE) return null;
+    }
+    return lattices.slice();
   }
 
-  /** Load and starting force of each body, two numbers per body as in xray/readings.ts. */
+  /** Load and breakaway force of each body, two numbers per body as in xray/readings.ts. */
   xray(): Float32Array {
-    return this.world.contactForces();
+    return Float32Array.from(this.game.xray());
   }
 
   hash(): string {
-    return this.world.simulation.hash();
+    return this.game.hash();
   }
 
   /** Simulated time, s. */
   time(): number {
-    return this.world.simulation.time();
+    return this.game.time();
   }
 
   contacts(body: number): Contact[] {
-    return this.world.contacts(body);
+    return JSON.parse(this.game.contacts(body)) as Contact[];
   }
 
-  /** Returns true if the block is free and there is a slot to place it in. */
+  /** Returns true if the command to place the body would be carried out. */
   canPlace(body: number): boolean {
-    return body < this.length && this.control.canPlace(body);
+    return body < this.length && this.game.canPlace(body);
   }
 
-  /** Applies a command and steps by a frame. */
+  /** Carries out a command and steps by a frame. */
   step(command: GameCommand): Update {
-    return this.control.step(command);
+    return JSON.parse(this.game.step(JSON.stringify(command))) as Update;
+  }
+
+  /** Memory may have grown since the last view, so each one is new. */
+  private poseView(): Float64Array {
+    return new Float64Array(this.memory.buffer, this.game.posesPtr(), this.length * POSE_STRIDE);
   }
 }

@@ -5,7 +5,7 @@ import type { Form } from './game-protocol';
 import type { SceneSource } from './protocol';
 
 /** Fields of a scene that the page reads or sets. */
-export interface Scene {
+interface Scene {
   blocks: unknown[];
   stiffness: number;
   form?: Form;
@@ -25,6 +25,12 @@ export interface Choice {
   form: Form;
   stiffness: number;
   springs: number | null;
+}
+
+/** Distance of the particles from a block's centre along each axis, over half the edge. */
+export function particleOffset(scene: string): number {
+  const { springs } = JSON.parse(scene) as Scene;
+  return springs?.particles === 'corners' ? 1 : 1 / Math.sqrt(3);
 }
 
 /**

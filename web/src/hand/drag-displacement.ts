@@ -2,9 +2,7 @@
 
 import { Vector3 } from 'three';
 import type { HandUpdate } from '../engine/game-protocol';
-import type { Bodies } from '../view/bodies';
 import type { Orbit } from '../view/orbit';
-import { pullDirection } from './pull-direction';
 import { axisDisplacement, slideDisplacement, type ProjectedAxis, type ScreenVector } from './screen-to-world';
 
 const UP = new Vector3(0, 0, 1);
@@ -13,25 +11,15 @@ const STEEP = 0.95;
 /** Length over which a direction is projected, m. */
 const STEP = 0.005;
 
-/** Returns the displacement for a drag (px), m. `normal`: outward normal of the touched face. */
-export function dragDisplacement(
-  orbit: Orbit,
-  bodies: Bodies,
-  hand: HandUpdate,
-  normal: Vector3,
-  drag: ScreenVector,
-): Vector3 {
+/** Returns the displacement for a drag (px), m: along the axes of the hand, or anywhere without axes. */
+export function dragDisplacement(orbit: Orbit, hand: HandUpdate, drag: ScreenVector): Vector3 {
   const goal = new Vector3(...hand.goal);
-  if (hand.grip === 'carry') return carry(orbit, goal, drag);
+  const [along, across] = hand.axes.map(axis => new Vector3(...axis));
+  if (!along) return carry(orbit, goal, drag);
   const scale = orbit.scaleAt(goal);
-  if (hand.grip === 'push') {
-    const inward = normal.clone().negate();
-    return inward.clone().multiplyScalar(axisDisplacement(drag, projected(orbit, goal, inward), scale));
-  }
-  const along = pullDirection(bodies.rotation(hand.body, bodies.newest));
-  const across = UP.clone().cross(along).normalize();
-  const axes = [along, across].map(axis => projected(orbit, goal, axis));
-  const slide = slideDisplacement(drag, axes[0], axes[1], scale);
+  const first = projected(orbit, goal, along);
+  if (!across) return along.multiplyScalar(axisDisplacement(drag, first, scale));
+  const slide = slideDisplacement(drag, first, projected(orbit, goal, across), scale);
   return along.multiplyScalar(slide.along).addScaledVector(across, slide.across);
 }
 

@@ -20,8 +20,6 @@ import type { ScreenVector } from './screen-to-world';
 const UP = new Vector3(0, 0, 1);
 /** Simulated time after which a block at full force counts as stuck, s. */
 const STUCK = 0.15;
-/** Distance from the carried block from which a slot counts as another one, m. */
-const ELSEWHERE = 0.012;
 
 const factories: Record<Exclude<GestureName, 'idle'>, GestureFactory> = {
   pressing,
@@ -51,9 +49,6 @@ export class Hand {
     const hand = this;
     this.context = {
       orbit,
-      get bodies() {
-        return bodies();
-      },
       get hand() {
         return hand.held;
       },
@@ -101,22 +96,16 @@ export class Hand {
     return this.held ? this.store.state.frame!.update.slots : [];
   }
 
-  /** Grasped point in the body's frame, m. */
-  get anchor(): Vector3 | null {
-    return this.grasp?.anchor ?? null;
-  }
-
   /** Grasps a block at the point that was hit. */
   press({ body, anchor, normal }: Hit): void {
-    const grip = this.store.state.grip;
     const command = this.sink.command({
       command: 'grasp',
       body,
       anchor: anchor.toArray() as Vec,
       normal: normal.toArray() as Vec,
-      grip,
+      grip: this.store.state.grip,
     });
-    this.grasp = { body, anchor, normal, mode: grip, displacement: new Vector3(), command };
+    this.grasp = { body, displacement: new Vector3(), command };
     this.enter('pressing');
     this.store.set({ selected: body });
   }
@@ -156,10 +145,6 @@ export class Hand {
   canPlace(): boolean {
     const { selected, frame } = this.store.state;
     if (this.gesture === 'placing' || this.gesture === 'poking') return false;
-    if (this.carries) {
-      const centre = this.bodies().position(this.body!, this.bodies().newest);
-      return this.slots.some(slot => new Vector3(...slot.position).distanceTo(centre) > ELSEWHERE);
-    }
     return selected !== null && (frame?.placeable ?? false);
   }
 
@@ -170,10 +155,7 @@ export class Hand {
     const slot = this.held?.slot ?? null;
     const command = this.sink.command({ command: 'place', body, slot });
     if (this.grasp) this.grasp.command = command;
-    else {
-      const [anchor, normal, displacement] = [new Vector3(), new Vector3(), new Vector3()];
-      this.grasp = { body, anchor, normal, mode: 'auto', displacement, command };
-    }
+    else this.grasp = { body, displacement: new Vector3(), command };
     this.enter('placing');
   }
 

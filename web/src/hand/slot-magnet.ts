@@ -16,10 +16,10 @@ export class SlotMagnet {
   /** False until the block has left the slot it was in. */
   private armed = false;
 
-  /** Chooses the slot for a block held at `anchor` (m, body frame). */
-  seek(orbit: Orbit, hand: HandUpdate, anchor: Vector3, slots: Slot[]): SlotId | null {
+  /** Chooses the slot for the held block. */
+  seek(orbit: Orbit, hand: HandUpdate, slots: Slot[]): SlotId | null {
     const centre = new Vector3(...hand.goal);
-    if (hand.orientation) centre.sub(anchor.clone().applyQuaternion(new Quaternion(...hand.orientation)));
+    if (hand.orientation) centre.sub(new Vector3(...hand.anchor).applyQuaternion(new Quaternion(...hand.orientation)));
     const here = orbit.project(centre);
     let best: SlotId | null = null;
     let min = Infinity;

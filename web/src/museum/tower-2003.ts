@@ -2,10 +2,10 @@
 
 import type { Contact, GameCommand, StepReport, Update, Vec } from '../engine/game-protocol';
 import { POSE_STRIDE } from '../engine/game-protocol';
-import { ControlledGame } from '../hand/control/controlled-game';
-import { graspedPoint } from '../hand/control/grasped-point';
-import type { HandTarget, Simulator } from '../hand/control/simulator';
-import { sub } from '../hand/control/vectors';
+import { ControlledGame } from './control/controlled-game';
+import { graspedPoint } from './control/grasped-point';
+import type { HandTarget, Simulator } from './control/simulator';
+import { sub } from './control/vectors';
 import { LATTICE_STRIDE } from '../view/lattice';
 import { Space } from '../wasm/teeter_museum.js';
 import type { Report2003 } from './protocol';
@@ -28,11 +28,8 @@ interface SpaceReport {
 class Simulator2003 implements Simulator {
   readonly length: number;
   readonly sizes: Float32Array;
-  readonly form = 'lattice';
   // The particles of 2003 are the corners.
   readonly particleOffset = 1;
-  readonly stiffness = 1e6;
-  readonly springStiffness = null;
   readonly handStiffness: number;
   report: Report2003 | null = null;
 

@@ -37,8 +37,8 @@ export class Tower {
   private readonly hand: Hand;
   private readonly controls: Controls;
   private ghost: Bodies | null = null;
-  /** Grasp that the hand has been warned about. */
-  private warned: unknown = null;
+  /** True once the player has been warned about the block in the hand. */
+  private warned = false;
 
   /** Throws where the browser has no WebGL 2. */
   constructor(options: Options) {
@@ -144,7 +144,7 @@ export class Tower {
     const both = this.store.state.setup.show === 'both';
     this.ghost = both ? new Bodies(world.sizes, world.poses.slice(), world.particleOffset) : null;
     this.ghostView.hide();
-    this.warned = null;
+    this.warned = false;
     this.store.set({ world, frame: null, selected: null });
   }
 
@@ -154,7 +154,8 @@ export class Tower {
     if (frame.ghost) this.ghost?.arrive(frame.ghost.poses, frame.ghost.lattices);
     this.store.set({ frame });
     this.hand.receive(frame);
-    this.warn();
+    if (!frame.update.hand) this.warned = false;
+    else this.warn();
     const both = this.store.state.setup.show === 'both';
     if (frame.update.events.some(event => event.event === 'fell'))
       this.notice.show(both ? 'The engine’s tower fell.' : 'The tower fell.', LONG);
@@ -163,10 +164,9 @@ export class Tower {
   /** Says once per grasp that a carried block fits no slot. */
   private warn(): void {
     const { hand } = this;
-    const { anchor } = hand;
-    if (this.store.state.setup.show !== 'old' || !hand.carries || anchor === this.warned || hand.slots.length > 0)
-      return;
-    this.warned = anchor;
+    const { show } = this.store.state.setup;
+    if (show !== 'old' || !hand.carries || this.warned || hand.slots.length > 0) return;
+    this.warned = true;
     this.notice.show('This one lies across the slots on top, and the hand of 2003 cannot turn it.', LONG);
   }
 

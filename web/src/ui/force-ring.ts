@@ -74,9 +74,9 @@ export class ForceRing {
 
 /** Returns the ring for a hand that holds or pokes a block, else null. */
 export function ringState(hand: Hand, maxForce: number, bodies: Bodies, orbit: Orbit): RingState | null {
-  const { held, anchor } = hand;
-  if (!held || !anchor) return null;
-  const point = bodies.toWorld(held.body, anchor);
+  const { held } = hand;
+  if (!held) return null;
+  const point = bodies.toWorld(held.body, new Vector3(...held.anchor));
   const pull = pullOf(held);
   const at = orbit.project(point);
   const ahead = point.clone().addScaledVector(pull.clone().normalize(), pull.length() > 1e-6 ? STEP : 0);

@@ -1,11 +1,10 @@
-// Pure pieces of the museum: distances between towers, the strip of iterations, and the hand that cannot turn a block.
+// Pure pieces of the museum: distances between towers, and the strip of iterations.
 
 import { expect, test } from 'vitest';
-import { HandControl } from '../../src/hand/control/hand-control';
 import { millimetres, towerDistance } from '../../src/museum/distance';
 import { barHeight, Chart, MAX_BARS } from '../../src/museum/chart';
 import { EXHIBITS } from '../../src/museum/catalogue';
-import { still, tower } from './towers';
+import { tower } from './towers';
 
 test('two towers are as far apart as the block that is farthest off', () => {
   const a = tower(['xxx', 'xxx']).newest;
@@ -49,19 +48,4 @@ test('every exhibit has a falling and a standing stack', () => {
       ).toContain(setting);
     expect(sceneries.every(s => s.count >= 1 && s.count <= 16)).toBe(true);
   }
-});
-
-test('a hand that cannot turn a block lays it only where it lies the same way', () => {
-  // The top row, which crosses the first, has one block; another of it lies beside the tower.
-  const bodies = tower(['xxx', 'xxx', 'xxx', 'xx.']);
-  const beside = 10;
-  bodies.newest.set([0.3, 0.1, 0.009], 7 * beside);
-  const control = new HandControl(still(bodies), bodies);
-  const canPlace = (can_turn: boolean) => {
-    control.apply({ command: 'set_hand', can_turn }, []);
-    return control.canPlace(beside);
-  };
-  expect([canPlace(true), canPlace(false)], 'it lies as the top row').toEqual([true, true]);
-  bodies.newest.copyWithin(7 * beside + 3, 3, 7);
-  expect([canPlace(true), canPlace(false)], 'it lies across the top row').toEqual([true, false]);
 });

@@ -1,7 +1,6 @@
 // Towers for tests of geometry: rows of three, each crossing the one below.
 
 import { Quaternion, Vector3 } from 'three';
-import type { Simulator } from '../../src/hand/control/simulator';
 import { Bodies } from '../../src/view/bodies';
 
 export const SIZE = new Vector3(0.081, 0.0268, 0.018);
@@ -25,23 +24,4 @@ export function tower(rows: string[], yaw = 0): Bodies {
     });
   });
   return new Bodies(Float32Array.from(sizes), Float32Array.from(poses));
-}
-
-/** A simulator of blocks that do not move. */
-export function still(bodies: Bodies): Simulator {
-  return {
-    length: bodies.count,
-    sizes: bodies.sizes,
-    particleOffset: 1,
-    form: 'rigid',
-    stiffness: 1e6,
-    springStiffness: null,
-    handStiffness: null,
-    poses: () => Float64Array.from(bodies.newest),
-    deformed: () => null,
-    contacts: () => [],
-    step: () => {
-      throw new Error('blocks that do not move take no step');
-    },
-  };
 }

@@ -25,7 +25,7 @@ export const carrying: GestureFactory = (context, grasp) => {
     update(hand, slots) {
       if (gestureOf(hand.grip) !== 'carrying') return 'sliding';
       const before = magnet.slot;
-      const slot = magnet.seek(context.orbit, hand, grasp.anchor, slots);
+      const slot = magnet.seek(context.orbit, hand, slots);
       if (!sameSlot(slot, before)) move(context, new Vector3(), slot);
       return null;
     },

@@ -1,8 +1,7 @@
 // States of a gesture. A state turns what the player does into commands, and returns the name of the next state where it changes.
 
 import { Vector3 } from 'three';
-import type { GameCommand, Grip, GripMode, HandUpdate, SlotId, Slot, Vec } from '../../engine/game-protocol';
-import type { Bodies } from '../../view/bodies';
+import type { GameCommand, Grip, HandUpdate, SlotId, Slot, Vec } from '../../engine/game-protocol';
 import type { Orbit } from '../../view/orbit';
 import { dragDisplacement } from '../drag-displacement';
 import type { ScreenVector } from '../screen-to-world';
@@ -13,11 +12,6 @@ export type Transition = GestureName | null;
 /** The block of a gesture. */
 export interface Grasp {
   body: number;
-  /** Grasped point in the body's frame, m. */
-  anchor: Vector3;
-  /** Outward normal of the touched face. */
-  normal: Vector3;
-  mode: GripMode;
   /** Sum of the displacements since the grasp, m. */
   displacement: Vector3;
   /** Number of the command that began the present state: updates from before it do not count. */
@@ -26,7 +20,6 @@ export interface Grasp {
 
 export interface GestureContext {
   readonly orbit: Orbit;
-  readonly bodies: Bodies;
   /** Hand of the last update; null until the grasp has been applied. */
   readonly hand: HandUpdate | null;
   /** Sends a command and returns its number. */
@@ -66,7 +59,7 @@ export function follow(
   drag: ScreenVector,
   slot: SlotId | null = null,
 ): Vector3 {
-  const displacement = dragDisplacement(context.orbit, context.bodies, hand, grasp.normal, drag);
+  const displacement = dragDisplacement(context.orbit, hand, drag);
   grasp.displacement.add(displacement);
   move(context, displacement, slot);
   return displacement;

@@ -3,10 +3,8 @@
 import { follow, gestureOf, letGo, moveAwayBy, type GestureFactory, type Transition } from './gesture';
 import type { ScreenVector } from '../screen-to-world';
 
-/** Displacement up to which a tap is a poke, m. */
-const MAX_TAP = 0.004;
-/** Vertical component of a face's normal up to which the face can be poked. */
-const UPRIGHT = 0.5;
+/** Displacement from which the block is moved, m: the game pokes none that has gone so far. */
+const MOVED = 0.004;
 
 export const pressing: GestureFactory = (context, grasp) => {
   // The grip, which a drag depends on, is known once the grasp has been applied.
@@ -18,7 +16,7 @@ export const pressing: GestureFactory = (context, grasp) => {
     if (!hand || (waiting.x === 0 && waiting.y === 0)) return null;
     follow(context, grasp, hand, waiting);
     waiting = { x: 0, y: 0 };
-    return grasp.displacement.length() < MAX_TAP ? null : gestureOf(hand.grip);
+    return grasp.displacement.length() < MOVED ? null : gestureOf(hand.grip);
   }
 
   return {
@@ -30,8 +28,7 @@ export const pressing: GestureFactory = (context, grasp) => {
       return 'carrying';
     },
     release(tap) {
-      const upright = Math.abs(grasp.normal.z) < UPRIGHT;
-      if (!tap || !upright || grasp.mode === 'carry') return letGo(context);
+      if (!tap) return letGo(context);
       grasp.command = context.send({ command: 'poke' });
       return 'poking';
     },

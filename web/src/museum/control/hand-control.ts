@@ -13,6 +13,7 @@ import { waypoint } from './placement-path';
 import type { HandTarget, Simulator } from './simulator';
 import { topSlots, type FreeSlot } from './slots';
 import { TargetLimiter, type Goal } from './target-limiter';
+import { pullDirection } from './pull-direction';
 import { columnBelow, isClear, keepClear } from './tower-clearance';
 import { length } from './vectors';
 
@@ -49,7 +50,7 @@ export class HandControl {
       case 'place':
         return this.place(command);
       case 'poke':
-        return this.poke();
+        return this.poke(events);
       case 'release':
         if (!this.hold) return 'the hand holds no block';
         this.end(events, { event: 'released', body: this.hold.body });
@@ -117,6 +118,8 @@ export class HandControl {
         body: hold.body,
         grip: hold.grip,
         mode: hold.mode,
+        anchor: hold.anchor.toArray() as Vec,
+        axes: this.axes(hold).map(axis => axis.toArray() as Vec),
         force: hold.force,
         capped: hold.capped,
         point: hold.point.toArray() as Vec,
@@ -137,6 +140,14 @@ export class HandControl {
     return isFree(this.bodies, body) && this.otherSlots(body).length > 0;
   }
 
+  /** Directions in which the goal can be moved; none where it can go anywhere. */
+  private axes(hold: Hold): Vector3[] {
+    if (hold.grip === 'carry') return [];
+    if (hold.grip === 'push') return [hold.axis];
+    const along = pullDirection(this.bodies.rotation(hold.body, this.bodies.newest));
+    return [along, UP.clone().cross(along).normalize()];
+  }
+
   private grasp({ body, anchor, normal, grip: mode }: Of<'grasp'>): string | null {
     if (!(body < this.bodies.count)) return `there is no body ${body}`;
     const auto = isFree(this.bodies, body) ? 'carry' : 'slide';
@@ -154,6 +165,7 @@ export class HandControl {
       mode: 'auto',
       grip,
       goal: point.clone(),
+      start: point.clone(),
       orientation: grip === 'push' ? null : this.bodies.rotation(body, this.bodies.newest),
       clear: false,
       slot: null,
@@ -217,9 +229,14 @@ export class HandControl {
     return null;
   }
 
-  private poke(): string | null {
+  private poke(events: GameEvent[]): string | null {
     const hold = this.hold;
     if (!hold || hold.placing) return 'the hand holds no block';
+    const moved = hold.goal.distanceTo(hold.start) >= limits.UNMOVED;
+    if (moved || hold.mode === 'carry' || Math.abs(hold.axis.z) >= limits.UPRIGHT) {
+      this.end(events, { event: 'released', body: hold.body });
+      return null;
+    }
     hold.grip = 'push';
     hold.orientation = null;
     hold.goal = hold.point.clone().addScaledVector(hold.axis, limits.POKE.depth);

@@ -24,6 +24,10 @@ export const SATURATED = 0.98;
 export const STRETCH = 0.06;
 /** Depth, m, and duration, s, of a poke. */
 export const POKE = { depth: 0.006, seconds: 0.35 };
+/** Displacement up to which a block can be poked, m. */
+export const UNMOVED = 0.004;
+/** Vertical component of a face's normal up to which the face can be poked. */
+export const UPRIGHT = 0.5;
 /** Height above its slot below which a block that touches stands in it, m: more would be the edge of a neighbour. */
 export const STANDING = 0.002;
 /** Force on a block from below by which it stands, N. */
@@ -46,6 +50,8 @@ export interface Hold {
   grip: Grip;
   /** Position that the player wants for the grasped point, m. */
   goal: Vector3;
+  /** Grasped point when it was grasped, m. */
+  start: Vector3;
   orientation: Quaternion | null;
   /** True once the block has come clear of the tower and is to stay clear. */
   clear: boolean;
