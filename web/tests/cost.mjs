@@ -1,8 +1,10 @@
-// Workloads of benches/cost on the wasm face. As a program (`node cost.mjs BUILD`) it is the other end of benches/cost/src/node.rs: it
-// takes JSON lines from its standard input and answers each with one on its standard output, errors on standard error and the exit code.
+// Workloads of benches/cost on the wasm face. As a program (`node cost.mjs BUILD`) it is the other
+// end of benches/cost/src/node.rs: it takes JSON lines from its standard input and answers each
+// with one on its standard output, errors on standard error and the exit code.
 //
-//   {"prepare": {"scene", "params", "inputs", "settle", "frames"}}  ->  the number of the workload, from 0
-//   {"play": number}                                                ->  {"cpu", "frames", "hash"}, times in ms
+// {"prepare": {"scene", "params", "inputs", "settle", "frames"}}  ->  the number of the workload,
+// from 0 {"play": number}                                                ->  {"cpu", "frames",
+// "hash"}, times in ms
 //
 // An input is the text that a step takes; nothing acts after the last.
 
@@ -24,7 +26,10 @@ export class Clocked {
     this.#inputs = Array.from({ length: frames }, (_, i) => inputs[settle + i] ?? '');
   }
 
-  /** Plays the measured frames: processor time of all of them and time of each by the clock on the wall, ms, and the hash at the end. */
+  /**
+   * Plays the measured frames: processor time of all of them and time of each by the clock on the
+   * wall, ms, and the hash at the end.
+   */
   play() {
     this.#simulation.restore(this.#state);
     const cpu = process.cpuUsage();

@@ -1,5 +1,6 @@
-// The golden runs on the wasm face: the files of data/golden, played by a build of crates/wasm. Run as a program it prints the cells of
-// the matrix, a line each: build, run, step of rest (- for none) and hash, with tabs between.
+// The golden runs on the wasm face: the files of data/golden, played by a build of crates/wasm. Run
+// as a program it prints the cells of the matrix, a line each: build, run, step of rest (- for
+// none) and hash, with tabs between.
 
 import { readFile } from 'node:fs/promises';
 import { fileURLToPath } from 'node:url';

@@ -1,4 +1,5 @@
-// The wasm face, as the worker uses it: scenes and errors as text, poses as a view on memory, and a state that can be taken back.
+// The wasm face, as the worker uses it: scenes and errors as text, poses as a view on memory, and a
+// state that can be taken back.
 
 import assert from 'node:assert/strict';
 import { readFile } from 'node:fs/promises';
@@ -225,7 +226,8 @@ test('particles lie in their block, and its springs carry what is above it', () 
     );
     centre.forEach((x, k) => assert.ok(Math.abs(x - at[7 * body + k]) < 1e-6, `centre of block ${body}`));
   }
-  // What the springs of a row press down with: the vertical part of each that joins a lower to an upper particle.
+  // What the springs of a row press down with: the vertical part of each that joins a lower to an
+  // upper particle.
   const load = row => {
     let sum = 0;
     for (let body = 3 * row; body < 3 * row + 3; body++) {
@@ -241,7 +243,8 @@ test('particles lie in their block, and its springs carry what is above it', () 
     return sum;
   };
   const masses = JSON.parse(towerScene('{"rows": 6}')).blocks.map(block => block.mass);
-  // A particle is at 1/√3 of the way to a face, and by virtual work has so much more to bear than the face.
+  // A particle is at 1/√3 of the way to a face, and by virtual work has so much more to bear than
+  // the face.
   const lever = Math.sqrt(3);
   for (let row = 0; row < 6; row++) {
     // All rows above, and the upper half of the row itself.

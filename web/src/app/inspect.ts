@@ -29,9 +29,14 @@ export interface Inspect {
   readonly form: Constant<Form>;
   /** Stiffness of the springs inside the blocks, N/m; null where they are rigid. */
   readonly springs: number | null;
-  /** Springs view: true while it is on, number of springs in the picture, and end of its scale, N. */
+  /**
+   * Springs view: true while it is on, number of springs in the picture, and end of its scale, N.
+   */
   readonly view: { springs: boolean; shown: number; scale: number };
-  /** X-ray: starting force and load of each block (N; null while the tower moves), and number of visible figures. */
+  /**
+   * X-ray: starting force and load of each block (N; null while the tower moves), and number of
+   * visible figures.
+   */
   readonly xray: { on: boolean; pulls: (number | null)[] | null; loads: number[] | null; shown: number };
   /** Seven numbers per body: position (m), orientation (x, y, z, w). */
   readonly poses: number[];
@@ -51,13 +56,19 @@ export interface Inspect {
   /** Centres of the free slots for the block in the hand, m. */
   readonly slots: number[][];
   readonly quarantined: number[];
-  /** Longest times for which the page's thread was blocked, ms: by a message of the worker, by one picture. */
+  /**
+   * Longest times for which the page's thread was blocked, ms: by a message of the worker, by one
+   * picture.
+   */
   readonly longest: { physics: number; picture: number };
   hash(): Promise<StateHash>;
   /** Hashes of the states of all steps until a simulated time, s. */
   hashes(until: number): Promise<StateHash[]>;
   contacts(body: number): Promise<Contact[]>;
-  /** Screen position (CSS px) of a point of an unstrained block, m from its centre; the centre by default. */
+  /**
+   * Screen position (CSS px) of a point of an unstrained block, m from its centre; the centre by
+   * default.
+   */
   screenOf(body: number, local?: [number, number, number]): { x: number; y: number };
   /** Screen position (CSS px) of a point in the world, m. */
   project(point: [number, number, number]): { x: number; y: number };

@@ -1,4 +1,5 @@
-// Ties the game in the worker to the page: builds worlds, sends commands, and takes what the worker sends.
+// Ties the game in the worker to the page: builds worlds, sends commands, and takes what the worker
+// sends.
 
 import { Client } from '../engine/client';
 import type { Form, Update } from '../engine/game-protocol';
@@ -78,7 +79,10 @@ export class Play {
     this.build();
   }
 
-  /** Changes the blocks of the standing tower as well; without a form the device chooses it for a new tower. */
+  /**
+   * Changes the blocks of the standing tower as well; without a form the device chooses it for a
+   * new tower.
+   */
   setForm(form: Form | null): void {
     if (!form) return this.rebuild({ form });
     this.change({ form });

@@ -1,4 +1,5 @@
-// The stage of a page: camera, picture of the tower, and the loop that draws it. The game and the museum share it.
+// The stage of a page: camera, picture of the tower, and the loop that draws it. The game and the
+// museum share it.
 
 import type { Built, Frame } from '../engine/protocol';
 import { FRAME } from '../engine/game-protocol';
@@ -38,7 +39,10 @@ export interface Show {
   visible?(): boolean;
   /** Changes the ring. */
   ring?(state: RingState | null): RingState | null;
-  /** Moves further objects to fraction `t` between the last two states; returns true if the picture changes. */
+  /**
+   * Moves further objects to fraction `t` between the last two states; returns true if the picture
+   * changes.
+   */
   blend?(t: number): boolean;
   /** Follows the blocks; `moved`: they or the camera have moved. `now`: s. */
   follow?(moved: boolean, now: number): void;

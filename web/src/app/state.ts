@@ -28,7 +28,10 @@ export interface PlayState<F extends Frame = Frame> {
   frame: F | null;
 }
 
-/** View of the inside of the tower; springs are drawn in glass and the X-ray on wood, so there is one at a time. */
+/**
+ * View of the inside of the tower; springs are drawn in glass and the X-ray on wood, so there is
+ * one at a time.
+ */
 export type Overlay = 'none' | 'springs' | 'xray';
 
 /** Settings that a tower is built with. Stiffness in N/m; null leaves the choice to the device. */

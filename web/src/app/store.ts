@@ -1,4 +1,5 @@
-// The state of a page: its only source of truth. Parts of the page subscribe to the fields they show.
+// The state of a page: its only source of truth. Parts of the page subscribe to the fields they
+// show.
 
 export class Store<S extends object> {
   private readonly listeners = new Map<keyof S, Set<() => void>>();

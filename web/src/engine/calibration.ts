@@ -5,7 +5,10 @@ import { CALIBRATION, measureForm } from './device';
 import { FRAME, type Form } from './game-protocol';
 import { sceneText } from './scene';
 
-/** Frames before the measured one: gravity then begins to press the blocks together, and all contacts are detected again. */
+/**
+ * Frames before the measured one: gravity then begins to press the blocks together, and all
+ * contacts are detected again.
+ */
 const WARM_UP = 4;
 
 /** Returns the cost of the calibration frame with blocks of a form, s, by the clock `now`, s. */

@@ -1,4 +1,5 @@
-// Commands that wait for the next step. A step takes one of them, so those that follow each other and add up are merged.
+// Commands that wait for the next step. A step takes one of them, so those that follow each other
+// and add up are merged.
 
 import type { GameCommand, Vec } from './game-protocol';
 

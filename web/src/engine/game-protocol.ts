@@ -1,5 +1,5 @@
-// Commands that a game takes and updates that it returns: one of each a frame, as JSON. SI units; vectors are [x, y, z] in the world unless
-// said otherwise, orientations [x, y, z, w].
+// Commands that a game takes and updates that it returns: one of each a frame, as JSON. SI units;
+// vectors are [x, y, z] in the world unless said otherwise, orientations [x, y, z, w].
 
 export type Vec = [number, number, number];
 export type Quat = [number, number, number, number];
@@ -32,18 +32,29 @@ export interface Slot extends SlotId {
 
 export type GameCommand =
   | { command: 'idle' }
-  /** `anchor`: touched point in the body's frame, m. `normal`: outward normal of the touched face. */
+  /**
+   * `anchor`: touched point in the body's frame, m. `normal`: outward normal of the touched face.
+   */
   | { command: 'grasp'; body: number; anchor: Vec; normal: Vec; grip: GripMode }
-  /** Moves the target of the hand, m. `slot` attracts a carried block; `toward_viewer` is horizontal. */
+  /**
+   * Moves the target of the hand, m. `slot` attracts a carried block; `toward_viewer` is
+   * horizontal.
+   */
   | { command: 'move'; displacement: Vec; slot: SlotId | null; toward_viewer: [number, number] | null }
   /** Rotates the target orientation of a carried block about its centre. */
   | { command: 'turn'; rotation: Quat }
-  /** Sets down the held block, or a free one that is named. Null takes the slot that attracts it, else the nearest. */
+  /**
+   * Sets down the held block, or a free one that is named. Null takes the slot that attracts it,
+   * else the nearest.
+   */
   | { command: 'place'; body: number | null; slot: SlotId | null }
   /** Pushes the held block in by a few millimetres, or releases one that cannot be poked. */
   | { command: 'poke' }
   | { command: 'release' }
-  /** Largest force, N; slow motion; whether the hand can turn a block. Absent fields keep their value. */
+  /**
+   * Largest force, N; slow motion; whether the hand can turn a block. Absent fields keep their
+   * value.
+   */
   | { command: 'set_hand'; max_force?: number; careful?: boolean; can_turn?: boolean }
   /** Changes the blocks gradually. Stiffness in N/m; null for that of the contacts. */
   | { command: 'set_blocks'; form: Form; spring_stiffness: number | null };
@@ -65,7 +76,10 @@ export interface HandUpdate {
   mode: GripMode;
   /** Grasped point in the body's frame, m. */
   anchor: Vec;
-  /** Directions in which the goal can be moved, unit vectors: along and across, or inwards. Empty for a carried block. */
+  /**
+   * Directions in which the goal can be moved, unit vectors: along and across, or inwards. Empty
+   * for a carried block.
+   */
   axes: Vec[];
   /** Force of the hand on the block, N. */
   force: Vec;

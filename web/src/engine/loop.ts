@@ -1,4 +1,5 @@
-// The loop of a worker: one step after another, in step with the wall clock, with messages handled in between.
+// The loop of a worker: one step after another, in step with the wall clock, with messages handled
+// in between.
 
 import { FRAME } from './game-protocol';
 import { Pace } from './pacing';
@@ -8,12 +9,16 @@ const MAX_DEBT = 4 * FRAME;
 
 export class Loop {
   private readonly pace = new Pace(FRAME, MAX_DEBT);
-  // A message to oneself returns at once, but after those of the page: no command starves, and no timer is clamped to 4 ms.
+  // A message to oneself returns at once, but after those of the page: no command starves, and no
+  // timer is clamped to 4 ms.
   private readonly soon = new MessageChannel();
   private timer: number | null = null;
   private queued = false;
 
-  /** `now`: wall clock, s. `runs`: true while there is something to step. `guard` runs an action that may throw. */
+  /**
+   * `now`: wall clock, s. `runs`: true while there is something to step. `guard` runs an action
+   * that may throw.
+   */
   constructor(
     private readonly now: () => number,
     private readonly runs: () => boolean,

@@ -1,6 +1,10 @@
-// Time: the steps that are due, the speed of simulated time, and the interpolation between two states.
+// Time: the steps that are due, the speed of simulated time, and the interpolation between two
+// states.
 
-/** Schedules steps. Time that cannot be caught up is dropped: the simulation slows, and no step is skipped. */
+/**
+ * Schedules steps. Time that cannot be caught up is dropped: the simulation slows, and no step is
+ * skipped.
+ */
 export class Pace {
   private debt = 0;
   private last: number | null = null;

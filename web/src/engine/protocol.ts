@@ -43,7 +43,10 @@ export interface Frame {
   applied: number;
   /** Seven numbers per body: position (m), orientation (x, y, z, w). */
   poses: Float32Array;
-  /** Particles and springs as in view/lattice.ts; null where there are none or nothing of them is visible. */
+  /**
+   * Particles and springs as in view/lattice.ts; null where there are none or nothing of them is
+   * visible.
+   */
   lattices: Float32Array | null;
   /** True if the selected block could be placed on top. */
   placeable: boolean;
@@ -64,7 +67,10 @@ export interface Built {
   form: Constant<Form>;
   /** Stiffness of the springs inside the blocks, N/m; null where they are rigid. */
   springs: number | null;
-  /** Distance of the particles from the block's centre along each axis, as a fraction of half the edge. */
+  /**
+   * Distance of the particles from the block's centre along each axis, as a fraction of half the
+   * edge.
+   */
   particleOffset: number;
 }
 
@@ -82,7 +88,9 @@ export interface StateHash {
   time: number;
 }
 
-/** Questions about the present state, and about the states of all steps until a simulated time, s. */
+/**
+ * Questions about the present state, and about the states of all steps until a simulated time, s.
+ */
 export type Question = { what: 'hash' } | { what: 'hashes'; until: number } | { what: 'contacts'; body: number };
 export type Answer<Q extends Question> = Q extends { what: 'hash' }
   ? StateHash

@@ -11,7 +11,10 @@ const STEEP = 0.95;
 /** Length over which a direction is projected, m. */
 const STEP = 0.005;
 
-/** Returns the displacement for a drag (px), m: along the axes of the hand, or anywhere without axes. */
+/**
+ * Returns the displacement for a drag (px), m: along the axes of the hand, or anywhere without
+ * axes.
+ */
 export function dragDisplacement(orbit: Orbit, hand: HandUpdate, drag: ScreenVector): Vector3 {
   const goal = new Vector3(...hand.goal);
   const [along, across] = hand.axes.map(axis => new Vector3(...axis));
@@ -23,7 +26,10 @@ export function dragDisplacement(orbit: Orbit, hand: HandUpdate, drag: ScreenVec
   return along.multiplyScalar(slide.along).addScaledVector(across, slide.across);
 }
 
-/** A block is carried in the upright plane that faces the viewer, or in a level plane where the view is from above. */
+/**
+ * A block is carried in the upright plane that faces the viewer, or in a level plane where the view
+ * is from above.
+ */
 function carry(orbit: Orbit, goal: Vector3, drag: ScreenVector): Vector3 {
   const scale = orbit.scaleAt(goal);
   const forward = orbit.forward();

@@ -1,5 +1,6 @@
-// Assigns each pointer to the hand, where it comes down on a block, or to the camera. One never moves while the other is in use, except that
-// every pointer moves the camera while the game is paused.
+// Assigns each pointer to the hand, where it comes down on a block, or to the camera. One never
+// moves while the other is in use, except that every pointer moves the camera while the game is
+// paused.
 
 import type { PlayStore } from '../app/state';
 import type { Bodies } from '../view/bodies';

@@ -13,9 +13,15 @@ export interface ProjectedAxis {
   towards: number;
 }
 
-/** Fraction of the full scale that a direction straight towards the viewer takes on the screen, where it points down. */
+/**
+ * Fraction of the full scale that a direction straight towards the viewer takes on the screen,
+ * where it points down.
+ */
 const FORESHORTENED = 0.35;
-/** Smallest length of a projected axis over the full scale: an axis along the view would turn a pixel into metres. */
+/**
+ * Smallest length of a projected axis over the full scale: an axis along the view would turn a
+ * pixel into metres.
+ */
 const MIN_LENGTH = 0.5;
 /** Cost of sideways motion over that along the block's long axis. */
 const SIDEWAYS_COST = 1.5;
@@ -30,8 +36,8 @@ function effective({ screen, towards }: ProjectedAxis, scale: number): ScreenVec
 }
 
 /**
- * Returns the displacement along and across a block for a drag, m: least squares on the screen with a cost on sideways motion.
- * `scale`: px per metre of a motion that faces the viewer.
+ * Returns the displacement along and across a block for a drag, m: least squares on the screen with
+ * a cost on sideways motion. `scale`: px per metre of a motion that faces the viewer.
  */
 export function slideDisplacement(
   drag: ScreenVector,

@@ -4,7 +4,9 @@ import { Quaternion, Vector3 } from 'three';
 import { sameSlot, type HandUpdate, type Slot, type SlotId } from '../engine/game-protocol';
 import type { Orbit } from '../view/orbit';
 
-/** Distance at which a slot attracts the block: in m at the slot's depth, and at least so many px. */
+/**
+ * Distance at which a slot attracts the block: in m at the slot's depth, and at least so many px.
+ */
 const REACH = { metres: 0.03, pixels: 22 };
 /** Factor on the distance for the current slot. */
 const HYSTERESIS = 1.5;

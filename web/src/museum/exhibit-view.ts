@@ -1,5 +1,5 @@
-// An exhibit in the plane: its text and controls, and a canvas on which a pointer pulls blocks. Its worker starts when it first comes onto
-// the screen and is paused while it is not.
+// An exhibit in the plane: its text and controls, and a canvas on which a pointer pulls blocks. Its
+// worker starts when it first comes onto the screen and is paused while it is not.
 
 import { setText } from '../ui/dom';
 import type { Exhibit, Scenery } from './catalogue';

@@ -1,4 +1,5 @@
-// The ghost: the tower of the other method, drawn over the one in wood as edges and as faces whose opacity grows with the distance.
+// The ghost: the tower of the other method, drawn over the one in wood as edges and as faces whose
+// opacity grows with the distance.
 
 import {
   BoxGeometry,

@@ -1,4 +1,5 @@
-// The page of the museum: the simulators of the 2003 dissertation, its tower and the methods in the plane before it.
+// The page of the museum: the simulators of the 2003 dissertation, its tower and the methods in the
+// plane before it.
 
 import { readOptions } from '../app/url';
 import { showTrouble } from '../ui/notice';
@@ -43,7 +44,10 @@ function createTower(): Tower | null {
   }
 }
 
-/** Runs the simulators only while they are on the screen, and draws an exhibit again when its size changes. */
+/**
+ * Runs the simulators only while they are on the screen, and draws an exhibit again when its size
+ * changes.
+ */
 function observe(views: ExhibitView[], tower: Tower | null): void {
   const targets = new Map<Element, (onScreen: boolean) => void>(
     views.map(view => [view.element, onScreen => view.setOnScreen(onScreen)]),

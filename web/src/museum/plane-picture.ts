@@ -1,4 +1,5 @@
-// Picture of a scene in the plane: blocks, contact points with their forces, the pull of the pointer, and the strip of iterations.
+// Picture of a scene in the plane: blocks, contact points with their forces, the pull of the
+// pointer, and the strip of iterations.
 
 import { barHeight, MAX_BARS, type Chart } from './chart';
 import type { PlaneFrame } from './protocol';

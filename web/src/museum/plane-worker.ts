@@ -1,4 +1,5 @@
-// The worker of one method in the plane: steps it at the chosen speed where the device can, and sends one message a frame.
+// The worker of one method in the plane: steps it at the chosen speed where the device can, and
+// sends one message a frame.
 
 import { FRAME } from '../engine/game-protocol';
 import { Loop } from '../engine/loop';

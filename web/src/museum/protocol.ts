@@ -2,7 +2,10 @@
 
 import type { Frame } from '../engine/protocol';
 
-/** Tower that is drawn in wood: that of the 2003 method, or the engine's, without or with the other's ghost. */
+/**
+ * Tower that is drawn in wood: that of the 2003 method, or the engine's, without or with the
+ * other's ghost.
+ */
 export type Show = 'old' | 'engine' | 'both';
 
 /** Towers to build. */

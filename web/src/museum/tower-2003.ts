@@ -22,8 +22,9 @@ interface SpaceReport {
 }
 
 /**
- * The hand of 2003 has a target for the block's centre, no orientation and no force limit: a spring to the target while the block touches
- * anything, and the block's velocity itself in the air. Its force is limited here by the lead of the target.
+ * The hand of 2003 has a target for the block's centre, no orientation and no force limit: a spring
+ * to the target while the block touches anything, and the block's velocity itself in the air. Its
+ * force is limited here by the lead of the target.
  */
 class Simulator2003 implements Simulator {
   readonly length: number;

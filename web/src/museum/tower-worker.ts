@@ -1,5 +1,6 @@
-// The museum's worker: owns the tower of 2003, the engine's, or both. Two towers take each step together and with the same command, so the
-// engine waits for the other one, which is much slower; simulated time falls behind the clock where it must.
+// The museum's worker: owns the tower of 2003, the engine's, or both. Two towers take each step
+// together and with the same command, so the engine waits for the other one, which is much slower;
+// simulated time falls behind the clock where it must.
 
 import { CommandQueue } from '../engine/command-queue';
 import { Game } from '../engine/game';

@@ -1,4 +1,5 @@
-// The tower in the museum: that of 2003, the engine's, or both, with the stage and the hand of the game.
+// The tower in the museum: that of 2003, the engine's, or both, with the stage and the hand of the
+// game.
 
 import { listenToKeys } from '../app/shortcuts';
 import { Stage } from '../app/stage';
@@ -109,7 +110,8 @@ export class Tower {
       const options = { preventScroll: true, focusVisible: false };
       canvas.focus(options);
     });
-    // The wheel scrolls the page; with the control key, or a block in the hand, it belongs to the tower.
+    // The wheel scrolls the page; with the control key, or a block in the hand, it belongs to the
+    // tower.
     canvas.parentElement!.addEventListener(
       'wheel',
       event => {

@@ -1,4 +1,5 @@
-// The force of the hand, drawn at the grasped point: an arc, a number and an arrow, and dashes and words at the limit.
+// The force of the hand, drawn at the grasped point: an arc, a number and an arrow, and dashes and
+// words at the limit.
 
 import { Vector3 } from 'three';
 import type { HandUpdate } from '../engine/game-protocol';

@@ -18,7 +18,10 @@ export function stepOf(stiffness: number): number {
   return Math.min(DIAL.steps, Math.max(0, step));
 }
 
-/** Returns null, for springs as stiff as the contacts, if a stiffness of the dial is close to theirs, N/m. */
+/**
+ * Returns null, for springs as stiff as the contacts, if a stiffness of the dial is close to
+ * theirs, N/m.
+ */
 export function snapped(stiffness: number, contacts: number): number | null {
   return Math.max(stiffness / contacts, contacts / stiffness) < SNAP ? null : stiffness;
 }

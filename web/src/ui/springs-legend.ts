@@ -21,7 +21,10 @@ export class SpringsLegend {
     });
   }
 
-  /** Shows the switch and the scale, which ends at a force (N); null where the blocks have no springs. */
+  /**
+   * Shows the switch and the scale, which ends at a force (N); null where the blocks have no
+   * springs.
+   */
   show(on: boolean, end: number | null): void {
     const unit = unitOf(end ?? 0);
     const values = LEVELS.map(level => formatForce(forceAt(level, end ?? 0), unit));

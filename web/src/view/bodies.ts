@@ -1,7 +1,8 @@
 // The blocks of a page: sizes, the last two states, and the interpolated state in the picture.
 //
-// Two maps lead from a block's frame to the world. The pose alone moves the block as a whole, such as the point at which a hand holds it; the
-// surface is also strained where the block has soft springs inside.
+// Two maps lead from a block's frame to the world. The pose alone moves the block as a whole, such
+// as the point at which a hand holds it; the surface is also strained where the block has soft
+// springs inside.
 
 import { Matrix3, Matrix4, Quaternion, Vector3 } from 'three';
 import { POSE_STRIDE } from '../engine/game-protocol';
@@ -21,7 +22,10 @@ export class Bodies {
   /** Strain of the blocks in each of the three states. */
   private readonly strain: Record<'older' | 'newest' | 'shown', Float32Array>;
 
-  /** `particleOffset`: distance of the particles from the block's centre along each axis, as a fraction of half the edge. */
+  /**
+   * `particleOffset`: distance of the particles from the block's centre along each axis, as a
+   * fraction of half the edge.
+   */
   constructor(
     readonly sizes: Float32Array,
     poses: Float32Array,
@@ -48,7 +52,10 @@ export class Bodies {
     return this.strain.newest !== this.none;
   }
 
-  /** Sets the picture to fraction `t` between the older and the newer state; returns the largest change, m. */
+  /**
+   * Sets the picture to fraction `t` between the older and the newer state; returns the largest
+   * change, m.
+   */
   blend(t: number): number {
     const { older, newest, shown } = this;
     let change = 0;

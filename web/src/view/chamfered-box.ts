@@ -5,7 +5,10 @@ import { BufferAttribute, BufferGeometry, Vector3 } from 'three';
 /** Width of the chamfer, m. */
 const CHAMFER = 0.0009;
 
-/** Returns a centred box with chamfered edges. Faces and chamfers have flat normals, so that the chamfers catch the light. */
+/**
+ * Returns a centred box with chamfered edges. Faces and chamfers have flat normals, so that the
+ * chamfers catch the light.
+ */
 export function chamferedBox(size: Vector3, chamfer = CHAMFER): BufferGeometry {
   const half = size.clone().multiplyScalar(0.5);
   /** Corner on the sides `s` that lies in the face of axis `inset`. */

@@ -1,6 +1,9 @@
 // The scale of forces in the springs view, which follows the largest force smoothly.
 
-/** Time constants of the scale, s: an impact must not saturate it, and must not hide for long what follows. */
+/**
+ * Time constants of the scale, s: an impact must not saturate it, and must not hide for long what
+ * follows.
+ */
 const TIME_CONSTANT = { up: 0.15, down: 1.2 };
 /** Smallest end of the scale, N: smaller forces are noise of blocks without load. */
 const MIN_END = 0.001;
@@ -25,8 +28,9 @@ export class ForceScale {
 }
 
 /**
- * Returns the level of a force on the scale, from -1 (full compression) to 1 (full tension). The square root separates the springs of the
- * upper rows, which carry a tenth of the load of the lowest, from those without load. The shader of the springs has the same formula.
+ * Returns the level of a force on the scale, from -1 (full compression) to 1 (full tension). The
+ * square root separates the springs of the upper rows, which carry a tenth of the load of the
+ * lowest, from those without load. The shader of the springs has the same formula.
  */
 export function level(force: number, end: number): number {
   return Math.sign(force) * Math.sqrt(Math.min(1, Math.abs(force) / end));

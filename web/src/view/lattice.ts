@@ -1,7 +1,8 @@
 // Particles and springs inside the blocks, and the strain that follows from them.
 //
-// A block is drawn as the affine map that fits its particles best, which its surfaces follow in the engine as well. The map is stored as the
-// rotation of the pose and a strain in the block's own frame, which are interpolated separately.
+// A block is drawn as the affine map that fits its particles best, which its surfaces follow in the
+// engine as well. The map is stored as the rotation of the pose and a strain in the block's own
+// frame, which are interpolated separately.
 
 import { POSE_STRIDE } from '../engine/game-protocol';
 
@@ -9,7 +10,10 @@ import { POSE_STRIDE } from '../engine/game-protocol';
 export const PARTICLES = 8;
 /** Springs per block: one between each two particles. */
 export const SPRINGS = 28;
-/** Numbers per body in a lattice array: positions of its particles (m, world), then forces of its springs (N, positive in tension). */
+/**
+ * Numbers per body in a lattice array: positions of its particles (m, world), then forces of its
+ * springs (N, positive in tension).
+ */
 export const LATTICE_STRIDE = 3 * PARTICLES + SPRINGS;
 /** Numbers per body in a strain array: the columns of a matrix, the identity without strain. */
 export const STRAIN_STRIDE = 9;
@@ -27,8 +31,8 @@ export function unstrained(count: number): Float32Array {
 }
 
 /**
- * Returns the strain of each body: R⁻¹ F with F = Σ p_i s_ik / (8 g_k) for particle i at p_i, on side s_ik of axis k, at distance g_k from
- * the centre. `particleOffset`: g over half the edge.
+ * Returns the strain of each body: R⁻¹ F with F = Σ p_i s_ik / (8 g_k) for particle i at p_i, on
+ * side s_ik of axis k, at distance g_k from the centre. `particleOffset`: g over half the edge.
  */
 export function strains(
   lattices: Float32Array,
@@ -100,7 +104,10 @@ export class Lattices {
     this.newest = lattices;
   }
 
-  /** Sets the picture to fraction `t` between the older and the newer state; returns true if it changed. */
+  /**
+   * Sets the picture to fraction `t` between the older and the newer state; returns true if it
+   * changed.
+   */
   blend(t: number): boolean {
     const { older, newest } = this;
     if (!older || !newest) {
@@ -113,7 +120,8 @@ export class Lattices {
     const shown = this.shown!;
     for (let at = 0; at < newest.length; at++) {
       const value = older[at] + t * (newest[at] - older[at]);
-      // Tolerance: a hundredth of a millimetre for positions, a hundredth of their value for forces.
+      // Tolerance: a hundredth of a millimetre for positions, a hundredth of their value for
+      // forces.
       const tolerance = at % LATTICE_STRIDE < 3 * PARTICLES ? 1e-5 : 1e-4 + 0.01 * Math.abs(shown[at]);
       if (Math.abs(value - shown[at]) <= tolerance) continue;
       shown[at] = value;

@@ -1,7 +1,8 @@
 // Ambient occlusion from a coarse grid of the wood.
 //
-// Each cell stores the fraction of it that is filled. The shaders march from a surface into the grid in a few directions, which darkens gaps
-// and the table under the tower without a pass over the screen.
+// Each cell stores the fraction of it that is filled. The shaders march from a surface into the
+// grid in a few directions, which darkens gaps and the table under the tower without a pass over
+// the screen.
 
 import { Data3DTexture, LinearFilter, LinearMipmapLinearFilter, RedFormat, Vector3, type Matrix3 } from 'three';
 import type { Bodies } from './bodies';
@@ -53,7 +54,8 @@ export class Occlusion {
     const half = bodies.size(body).multiplyScalar(0.5);
     const map = bodies.axes(body);
     const axes = columns(map);
-    // Dual axes: a point's coordinate in the block is its product with one over its length. Without strain they equal the axes.
+    // Dual axes: a point's coordinate in the block is its product with one over its length. Without
+    // strain they equal the axes.
     const across = columns(map.clone().invert().transpose());
     const lengths = across.map(axis => axis.length());
     const reach = (k: number) =>

@@ -7,7 +7,10 @@ const ELEVATION = { min: MathUtils.degToRad(1), max: MathUtils.degToRad(89) };
 const MIN_HEIGHT = 0.01;
 /** m. */
 const DISTANCE = { min: 0.12, max: 4 };
-/** Heights of the controls above and below the tower, px, in pictures up to a width in which there is no room beside it. */
+/**
+ * Heights of the controls above and below the tower, px, in pictures up to a width in which there
+ * is no room beside it.
+ */
 const NARROW = { width: 620, above: 120, below: 150 };
 /** Heights in pictures up to a height, as of a phone on its side. */
 const LOW = { height: 480, above: 0, below: 80 };
@@ -28,7 +31,9 @@ export class Orbit {
   private goal: View = { azimuth: -0.9, elevation: 0.35, distance: 1, height: 0.15 };
   private now: View = { ...this.goal };
   private top = 0.33;
-  /** Fraction of the picture's height without controls, and offset of its middle over the height. */
+  /**
+   * Fraction of the picture's height without controls, and offset of its middle over the height.
+   */
   private free = 1;
   private raised = 0;
   /** Size of the picture, px. */

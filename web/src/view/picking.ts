@@ -21,7 +21,8 @@ export function pick(bodies: Bodies, origin: Vector3, direction: Vector3): Hit |
   let best: Hit | null = null;
   for (let body = 0; body < bodies.count; body++) {
     if (!mayHit(bodies, body, origin, direction)) continue;
-    // In the frame of the unstrained block: an affine map keeps the ratios of distances along a line.
+    // In the frame of the unstrained block: an affine map keeps the ratios of distances along a
+    // line.
     const back = bodies.axes(body).invert();
     const o = origin.clone().sub(bodies.position(body)).applyMatrix3(back);
     const d = direction.clone().applyMatrix3(back);
@@ -53,7 +54,10 @@ export function pick(bodies: Bodies, origin: Vector3, direction: Vector3): Hit |
 /** Largest distance of a corner from the centre by strain, over that without strain. */
 const MAX_STRAIN = 2;
 
-/** Returns true if a ray (unit direction) passes through the sphere around a block: a cheap test that most blocks fail. */
+/**
+ * Returns true if a ray (unit direction) passes through the sphere around a block: a cheap test
+ * that most blocks fail.
+ */
 function mayHit({ shown, sizes }: Bodies, body: number, origin: Vector3, direction: Vector3): boolean {
   const at = POSE_STRIDE * body;
   const [x, y, z] = [shown[at] - origin.x, shown[at + 1] - origin.y, shown[at + 2] - origin.z];

@@ -1,7 +1,8 @@
 // Percentage-closer soft shadows: sharp near the block that casts them, soft far from it.
 //
-// A search around the point finds the mean depth of the blockers, and the shadow map is averaged over a disc whose radius follows from that
-// depth. The disc is rotated from pixel to pixel, which hides the pattern of few samples.
+// A search around the point finds the mean depth of the blockers, and the shadow map is averaged
+// over a disc whose radius follows from that depth. The disc is rotated from pixel to pixel, which
+// hides the pattern of few samples.
 
 import type { WebGLProgramParametersWithUniforms } from 'three';
 

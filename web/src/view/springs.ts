@@ -1,7 +1,8 @@
 // The springs view: springs as rods between particles, particles as beads.
 //
-// Colour and shape encode the force: a spring in compression is thick and dark, one in tension thin, bright and dashed, one without force a
-// hairline. Rods are ribbons that face the viewer, shaded as cylinders, with true depth.
+// Colour and shape encode the force: a spring in compression is thick and dark, one in tension
+// thin, bright and dashed, one without force a hairline. Rods are ribbons that face the viewer,
+// shaded as cylinders, with true depth.
 
 import {
   BufferAttribute,

@@ -165,7 +165,10 @@ export class TowerView {
     return this.springs.shown;
   }
 
-  /** Draws springs in transparent blocks, with the end of their scale at `end` (N); wood where they are null. */
+  /**
+   * Draws springs in transparent blocks, with the end of their scale at `end` (N); wood where they
+   * are null.
+   */
   showSprings(lattices: Lattices['shown'], end: number): void {
     this.springs.show(lattices, end);
     const clear = lattices !== null;
@@ -176,7 +179,10 @@ export class TowerView {
     this.stale = true;
   }
 
-  /** Stains each block with its colour (red, green and blue as on the screen) by a part from 0 to 1; null leaves wood. */
+  /**
+   * Stains each block with its colour (red, green and blue as on the screen) by a part from 0 to 1;
+   * null leaves wood.
+   */
   stain(colours: [number, number, number][] | null, part = 1): void {
     const tint = this.mesh?.geometry.getAttribute('tint');
     if (!tint) return;
@@ -190,7 +196,10 @@ export class TowerView {
     this.stale = true;
   }
 
-  /** Takes the poses in the picture, whose largest change is `change` (m); returns true if the picture changes. */
+  /**
+   * Takes the poses in the picture, whose largest change is `change` (m); returns true if the
+   * picture changes.
+   */
   follow(bodies: Bodies, change: number): boolean {
     if (!this.mesh || !this.occlusion) return false;
     const moved = change > VISIBLE || this.stale;
@@ -223,7 +232,10 @@ export class TowerView {
     this.stale = true;
   }
 
-  /** Sun from the upper left of the first view; its shadow map covers the tower and what may fall around it. */
+  /**
+   * Sun from the upper left of the first view; its shadow map covers the tower and what may fall
+   * around it.
+   */
   private light(top: number): void {
     const middle = new Vector3(0, 0, top / 2);
     this.sun.position.copy(middle).addScaledVector(new Vector3(0.35, -1.0, 1.15).normalize(), 2);

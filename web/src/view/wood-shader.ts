@@ -1,7 +1,7 @@
 // Shader of the wood.
 //
-// The wood is solid: its colour is a function of the position in the log, so that rings run round the end of a block into the lines of its
-// sides. Lengths are in metres.
+// The wood is solid: its colour is a function of the position in the log, so that rings run round
+// the end of a block into the lines of its sides. Lengths are in metres.
 
 import type { WebGLProgramParametersWithUniforms } from 'three';
 import { occlusionShader } from './occlusion';

@@ -14,8 +14,9 @@ export interface WoodMaterial {
 }
 
 /**
- * Returns a material for an instanced mesh with attributes `seed` (vec4, 0 to 1), `scale3` (vec3, the block's size over that of the geometry)
- * and `tint` (vec4, linear colour of a stain, and its opacity).
+ * Returns a material for an instanced mesh with attributes `seed` (vec4, 0 to 1), `scale3` (vec3,
+ * the block's size over that of the geometry) and `tint` (vec4, linear colour of a stain, and its
+ * opacity).
  */
 export function woodMaterial(span: ShadowSpan): WoodMaterial {
   const material = new MeshStandardMaterial({ roughness: 0.6, metalness: 0, dithering: true });

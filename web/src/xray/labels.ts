@@ -1,5 +1,5 @@
-// Figures on blocks: one on the visible end of each, or on another visible face. They are text over the picture, as sharp as the screen
-// allows and never larger than their face.
+// Figures on blocks: one on the visible end of each, or on another visible face. They are text over
+// the picture, as sharp as the screen allows and never larger than their face.
 
 import { Vector3 } from 'three';
 import type { Bodies } from '../view/bodies';
@@ -25,10 +25,15 @@ const FRAME = 5;
 const FACING = 0.12;
 /** Tolerance within which a ray from the eye hits a face, m. */
 const AT_FACE = 0.002;
-/** Time between two searches for visible faces, s: positions on the screen follow in every picture. */
+/**
+ * Time between two searches for visible faces, s: positions on the screen follow in every picture.
+ */
 const SEARCH_INTERVAL = 0.1;
 
-/** Faces in order of preference: ends, which are visible while a block is in the tower, then the others. */
+/**
+ * Faces in order of preference: ends, which are visible while a block is in the tower, then the
+ * others.
+ */
 const FACES: [axis: 0 | 1 | 2, side: 1 | -1][] = [
   [0, 1],
   [0, -1],

@@ -27,7 +27,10 @@ export class XRayOverlay {
     store.subscribe(['overlay', 'readings', 'paused', 'hovered', 'selected'], () => this.showLegend());
   }
 
-  /** Takes the forces of the worker. While the tower moves there are no figures, and the last colours fade. */
+  /**
+   * Takes the forces of the worker. While the tower moves there are no figures, and the last
+   * colours fade.
+   */
   receive({ forces }: XRay, bodies: Bodies): void {
     const { overlay, readings: before } = this.store.state;
     if (overlay !== 'xray') return;

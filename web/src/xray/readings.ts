@@ -3,7 +3,10 @@
 import { Vector3 } from 'three';
 import type { Bodies } from '../view/bodies';
 
-/** Numbers per body: normal force on its upper face, force that starts it sliding (N; NaN without support). */
+/**
+ * Numbers per body: normal force on its upper face, force that starts it sliding (N; NaN without
+ * support).
+ */
 export const XRAY_STRIDE = 2;
 /** Starting force below which a block is loose, N: hardly more than that of its own weight. */
 export const LOOSE = 0.1;
@@ -11,10 +14,15 @@ export const LOOSE = 0.1;
 export const END = 10;
 /** Ticks of the legend, N. */
 export const TICKS = [0.1, 0.3, 1, 3, 10];
-/** Sine of the inclination up to which a block lies: a pull along it then differs by at most a tenth of its weight with the direction. */
+/**
+ * Sine of the inclination up to which a block lies: a pull along it then differs by at most a tenth
+ * of its weight with the direction.
+ */
 const MAX_INCLINATION = 0.1;
 
-/** From loose to tight: the reverse of viridis, whose lightness falls evenly for any colour vision. */
+/**
+ * From loose to tight: the reverse of viridis, whose lightness falls evenly for any colour vision.
+ */
 const RAMP = [
   '#fde725',
   '#b5de2b',
@@ -66,7 +74,10 @@ export function forceText(force: number): string {
 export interface Reading {
   /** Normal force on the upper face, N. */
   load: number;
-  /** Force along the block that starts it sliding, N; null if it does not lie flat or has no support. */
+  /**
+   * Force along the block that starts it sliding, N; null if it does not lie flat or has no
+   * support.
+   */
   pull: number | null;
 }
 

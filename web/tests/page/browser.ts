@@ -1,5 +1,6 @@
-// A headless Chromium on the built page. WebGL is drawn in software there, so tests keep the picture small, and wait for simulated time or
-// for conditions instead of wall time: a slow machine must not fail them.
+// A headless Chromium on the built page. WebGL is drawn in software there, so tests keep the
+// picture small, and wait for simulated time or for conditions instead of wall time: a slow machine
+// must not fail them.
 
 import { existsSync } from 'node:fs';
 import { fileURLToPath } from 'node:url';
@@ -19,7 +20,10 @@ const FLAGS = [
   '--disable-component-update',
   '--disable-sync',
 ];
-/** A fifth of the resolution and the lowest tier; the device chooses the form of the blocks and the stiffness of the contacts. */
+/**
+ * A fifth of the resolution and the lowest tier; the device chooses the form of the blocks and the
+ * stiffness of the contacts.
+ */
 export const MEASURED = 'help=0&view=small&scale=0.2';
 /** The page as most tests open it, with the same bits on every machine. */
 export const SMALL = `${MEASURED}&form=rigid&stiffness=1e6`;
@@ -86,7 +90,10 @@ export class Session {
     await this.page.waitForFunction(() => (window.teeter ?? window.museum.tower).ready);
   }
 
-  /** Waits until a value of the page is the same in four pictures, as that of a camera that has come to rest. */
+  /**
+   * Waits until a value of the page is the same in four pictures, as that of a camera that has come
+   * to rest.
+   */
   async settled(read: () => unknown): Promise<void> {
     await this.page.evaluate(async text => {
       const value = () => JSON.stringify((0, eval)(`(${text})()`));
@@ -136,7 +143,10 @@ export async function host(): Promise<Host> {
   };
 }
 
-/** Moves the mouse in steps, and waits for so much simulated time after each (s); without it the mouse does not wait. */
+/**
+ * Moves the mouse in steps, and waits for so much simulated time after each (s); without it the
+ * mouse does not wait.
+ */
 export async function drag(
   session: Session,
   from: { x: number; y: number },
@@ -156,13 +166,19 @@ export async function tap({ mouse }: Page, { x, y }: { x: number; y: number }): 
   await Promise.all([mouse.down(), mouse.up()]);
 }
 
-/** Hashes of the states of all steps until a simulated time (s), by time: as many on a slow machine as on a fast one. */
+/**
+ * Hashes of the states of all steps until a simulated time (s), by time: as many on a slow machine
+ * as on a fast one.
+ */
 export async function states(session: Session, until: number): Promise<Map<string, string>> {
   const found = await session.page.evaluate(end => window.teeter.hashes(end), until);
   return new Map(found.map(({ hash, time }) => [time.toFixed(4), hash]));
 }
 
-/** Standard deviation of the brightness (of 255) in a part of an element's picture: left, top, width, height as parts of it. */
+/**
+ * Standard deviation of the brightness (of 255) in a part of an element's picture: left, top,
+ * width, height as parts of it.
+ */
 export async function contrast(page: Page, selector: string, part = [0, 0, 1, 1]): Promise<number> {
   const picture = (await page.locator(selector).screenshot()).toString('base64');
   return page.evaluate(

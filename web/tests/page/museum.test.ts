@@ -1,4 +1,5 @@
-// The museum: the tower of 2003 under the hand of the game, its ghost over the engine's tower, and the methods in the plane.
+// The museum: the tower of 2003 under the hand of the game, its ghost over the engine's tower, and
+// the methods in the plane.
 
 import type { Page } from 'playwright-core';
 import { afterAll, beforeAll, expect, test } from 'vitest';
@@ -33,7 +34,10 @@ async function simulate(page: Page, seconds: number): Promise<void> {
   await page.waitForFunction(t => window.museum.tower!.time >= t, until);
 }
 
-/** A block between the first and the last row whose end faces the viewer: on the page where it is, and where it goes to come out. */
+/**
+ * A block between the first and the last row whose end faces the viewer: on the page where it is,
+ * and where it goes to come out.
+ */
 async function facing(page: Page) {
   const { x, y } = (await page.locator('#picture').boundingBox())!;
   const found = await page.evaluate(() => {

@@ -1,4 +1,5 @@
-// The page in a real browser: it loads, it draws, the tower stands, and a game can be played with mouse and with touch.
+// The page in a real browser: it loads, it draws, the tower stands, and a game can be played with
+// mouse and with touch.
 
 import type { Page } from 'playwright-core';
 import { afterAll, beforeAll, expect, test } from 'vitest';
@@ -109,7 +110,10 @@ test('the stiffness that the page chose is shown, and is all that the choice mea
   }
 });
 
-/** A device that is so many times as slow: all that its worker does takes so many times as long by the worker's clock. */
+/**
+ * A device that is so many times as slow: all that its worker does takes so many times as long by
+ * the worker's clock.
+ */
 const slower = (times: number) => (page: Page) =>
   page.route('**/worker-*.js', async route => {
     const response = await route.fetch();
@@ -185,7 +189,8 @@ function findLoose(session: Session) {
         const at = teeter.screenOf(body, end);
         if (teeter.blockAt(at.x, at.y) !== body) continue;
         const inner = teeter.screenOf(body, [0, 0, 0]);
-        // An end that faces the viewer shows the block coming out towards the viewer: its way on the screen goes down.
+        // An end that faces the viewer shows the block coming out towards the viewer: its way on
+        // the screen goes down.
         if (at.y <= inner.y) continue;
         const out = teeter.screenOf(body, [(side * teeter.sizes[3 * body]) / 2 + side * 0.12, 0, 0]);
         return { body, at, out };
@@ -244,7 +249,8 @@ test('a block that was let fall is put on top by the button', async () => {
   const { page } = session;
   await session.simulate(1);
   const before = await session.poses();
-  // The block that sticks out least is taken from the top row, swung aside, and let go over the table.
+  // The block that sticks out least is taken from the top row, swung aside, and let go over the
+  // table.
   const top = (await topBlock(page))!;
   const { body } = top;
   await page.mouse.move(top.x, top.y);
@@ -410,7 +416,8 @@ test('a finger on empty space turns the camera, two fingers zoom, and the tower 
   expect(distance(await page.evaluate(() => window.teeter.camera)) / distance(turned), 'closer by').toBeLessThan(0.8);
   expect(Math.max(...displacements(before.poses, await session.poses()))).toBeLessThan(1e-3);
 
-  // The first finger on a block is the hand, the second moves the block away; the camera stands still.
+  // The first finger on a block is the hand, the second moves the block away; the camera stands
+  // still.
   await page.keyboard.press('f');
   await session.settled(() => window.teeter.camera);
   const top = (await topBlock(page))!;
@@ -466,7 +473,8 @@ test.each([
       for (const [i, a] of boxes.entries()) {
         for (const b of boxes.slice(i + 1)) {
           if (a.e.contains(b.e)) continue;
-          // On a phone on its side the panel may lie over the title: it is closed again with one tap.
+          // On a phone on its side the panel may lie over the title: it is closed again with one
+          // tap.
           if (innerHeight < 500 && (a.name === 'panel' || b.name === 'panel')) continue;
           if (
             a.box.left < b.box.right &&

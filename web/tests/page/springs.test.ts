@@ -1,4 +1,5 @@
-// Springs inside the blocks: the page gives and takes them on a tower that stands, squashes it and lets it rise, and shows what they do.
+// Springs inside the blocks: the page gives and takes them on a tower that stands, squashes it and
+// lets it rise, and shows what they do.
 
 import type { Page } from 'playwright-core';
 import { afterAll, beforeAll, expect, test } from 'vitest';

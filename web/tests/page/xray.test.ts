@@ -1,4 +1,5 @@
-// The X-ray on the page: figures on blocks of a tower at rest, none while it moves, and what it calls loose comes out.
+// The X-ray on the page: figures on blocks of a tower at rest, none while it moves, and what it
+// calls loose comes out.
 
 import { afterAll, beforeAll, expect, test } from 'vitest';
 import { displacements, host, Session, SMALL, SPRUNG, type Host } from './browser';
@@ -21,7 +22,8 @@ test('the X-ray writes the pull on blocks of a tower at rest, and counts the loo
   await page.click('#xray-toggle');
   await known(session);
   expect(await page.getAttribute('#xray-toggle', 'aria-pressed')).toBe('true');
-  // As many as teeter_study finds in this tower: crates/wasm and tests/wasm.test.mjs hold the same number.
+  // As many as teeter_study finds in this tower: crates/wasm and tests/wasm.test.mjs hold the same
+  // number.
   expect(await page.textContent('#xray-count')).toBe('27 of 54 loose');
   const written = await figures(session);
   expect(written.length).toBeGreaterThan(30);

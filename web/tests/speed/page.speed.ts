@@ -1,4 +1,5 @@
-// How fast the page runs here: figures, no verdict. Drawing is held to one small picture a second, for it is done in software.
+// How fast the page runs here: figures, no verdict. Drawing is held to one small picture a second,
+// for it is done in software.
 
 import { expect, test } from 'vitest';
 import { host, Session, SMALL, SPRUNG } from '../page/browser';

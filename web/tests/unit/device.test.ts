@@ -1,5 +1,6 @@
-// The form of blocks and the stiffness of contacts that a device holds: slower devices and larger towers never get stiffer ones nor springs
-// where faster and smaller ones get none, and what play shows is believed.
+// The form of blocks and the stiffness of contacts that a device holds: slower devices and larger
+// towers never get stiffer ones nor springs where faster and smaller ones get none, and what play
+// shows is believed.
 
 import { expect, test } from 'vitest';
 import {
@@ -135,7 +136,9 @@ test('a device that holds springs is not measured with rigid blocks', () => {
   expect(trials).toEqual(['lattice']);
 });
 
-/** A device on which a frame costs so much with rigid blocks, and seven times as much with springs. */
+/**
+ * A device on which a frame costs so much with rigid blocks, and seven times as much with springs.
+ */
 const sprung = (cost: number) => new Device(form => (form === 'lattice' ? 7 : 1) * cost);
 
 test('blocks have springs inside where the device holds them, and are rigid on slower devices and in larger towers', () => {

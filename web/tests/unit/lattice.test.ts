@@ -1,4 +1,5 @@
-// What follows from particles: the strain of a block, whatever its place and turn, and the picture between two states.
+// What follows from particles: the strain of a block, whatever its place and turn, and the picture
+// between two states.
 
 import { Quaternion, Vector3 } from 'three';
 import { expect, test } from 'vitest';
@@ -23,7 +24,10 @@ const TURN = new Quaternion(0.3, -0.2, 0.5, 0.7).normalize();
 const POSE = Float32Array.from([...AT.toArray(), ...TURN.toArray()]);
 const SIZES = Float32Array.from(SIZE.toArray());
 
-/** The particles of a block at AT with TURN whose places `strain` has moved in its frame, and no forces. */
+/**
+ * The particles of a block at AT with TURN whose places `strain` has moved in its frame, and no
+ * forces.
+ */
 function particles(strain: (p: Vector3) => Vector3): Float32Array {
   const lattice = new Float32Array(LATTICE_STRIDE);
   for (let i = 0; i < PARTICLES; i++) {

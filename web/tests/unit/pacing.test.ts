@@ -1,4 +1,5 @@
-// Time: steps are due at the rate of the clock, time that cannot be caught up is dropped, and never a step.
+// Time: steps are due at the rate of the clock, time that cannot be caught up is dropped, and never
+// a step.
 
 import { expect, test } from 'vitest';
 import { Blend, Pace, Rate, Speedometer } from '../../src/engine/pacing';
@@ -46,7 +47,8 @@ test('a pause leaves nothing owed, and a clock that goes back does no harm', () 
 test('the speedometer tells simulated time per wall time and per time spent', () => {
   const meter = new Speedometer(1);
   expect(meter.factor()).toBe(1);
-  // Steps of 1/60 s every 1/30 s that cost 5 ms each: half speed, and 3.3 times real time if nothing else were to do.
+  // Steps of 1/60 s every 1/30 s that cost 5 ms each: half speed, and 3.3 times real time if
+  // nothing else were to do.
   for (let i = 0; i < 200; i++) meter.add(i / 30, FRAME, 0.005);
   expect(meter.factor()).toBeCloseTo(0.5, 6);
   expect(meter.capacity()).toBeCloseTo(FRAME / 0.005, 6);

@@ -1,4 +1,5 @@
-// From pixels to metres: along the block where that shows on the screen, towards the viewer is down, and never metres for a pixel.
+// From pixels to metres: along the block where that shows on the screen, towards the viewer is
+// down, and never metres for a pixel.
 
 import { expect, test } from 'vitest';
 import { axisDisplacement, slideDisplacement, type ProjectedAxis } from '../../src/hand/screen-to-world';

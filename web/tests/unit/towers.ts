@@ -6,7 +6,10 @@ import { Bodies } from '../../src/view/bodies';
 export const SIZE = new Vector3(0.081, 0.0268, 0.018);
 export const PITCH = SIZE.y + 0.0003;
 
-/** Rows as text, bottom first: `x` is a block, `.` none. The whole is turned by `yaw` about the vertical. */
+/**
+ * Rows as text, bottom first: `x` is a block, `.` none. The whole is turned by `yaw` about the
+ * vertical.
+ */
 export function tower(rows: string[], yaw = 0): Bodies {
   const sizes: number[] = [];
   const poses: number[] = [];

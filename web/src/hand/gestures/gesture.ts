@@ -1,4 +1,5 @@
-// States of a gesture. A state turns what the player does into commands, and returns the name of the next state where it changes.
+// States of a gesture. A state turns what the player does into commands, and returns the name of
+// the next state where it changes.
 
 import { Vector3 } from 'three';
 import type { GameCommand, Grip, HandUpdate, SlotId, Slot, Vec } from '../../engine/game-protocol';

@@ -252,7 +252,10 @@ export class HandControl {
     events.push(event);
   }
 
-  /** In automatic mode a block that has come out of the tower is carried, and one that is put back is slid. */
+  /**
+   * In automatic mode a block that has come out of the tower is carried, and one that is put back
+   * is slid.
+   */
   private regrip(hold: Hold): void {
     if (hold.mode !== 'auto' || hold.placing || hold.grip === 'push') return;
     const free = isFree(this.bodies, hold.body);
@@ -314,7 +317,10 @@ export class HandControl {
     return waypoint(centre, bodies.rotation(hold.body, bodies.newest), slot, hold.placing);
   }
 
-  /** Goal of the limiter: that of the player, the next waypoint to a slot, or a position clear of the tower. */
+  /**
+   * Goal of the limiter: that of the player, the next waypoint to a slot, or a position clear of
+   * the tower.
+   */
   goal(hold: Hold): Goal {
     const { handStiffness } = this.simulator;
     const grip = hold.grip;

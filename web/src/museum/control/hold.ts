@@ -17,7 +17,10 @@ export const SPEED: Record<Grip | 'careful' | 'poke', number> = {
 };
 /** Largest distance of the target from the grasped point, m. */
 export const LEAD: Record<Grip, number> = { slide: 0.012, carry: 0.03, push: 0.012 };
-/** Fractions of the largest force: from the first the hand is shown as at its limit, from the second its target gains no lead. */
+/**
+ * Fractions of the largest force: from the first the hand is shown as at its limit, from the second
+ * its target gains no lead.
+ */
 export const CAPPED = 0.97;
 export const SATURATED = 0.98;
 /** Largest distance of the goal from the grasped point, m: a reversal is felt at once. */
@@ -28,7 +31,10 @@ export const POKE = { depth: 0.006, seconds: 0.35 };
 export const UNMOVED = 0.004;
 /** Vertical component of a face's normal up to which the face can be poked. */
 export const UPRIGHT = 0.5;
-/** Height above its slot below which a block that touches stands in it, m: more would be the edge of a neighbour. */
+/**
+ * Height above its slot below which a block that touches stands in it, m: more would be the edge of
+ * a neighbour.
+ */
 export const STANDING = 0.002;
 /** Force on a block from below by which it stands, N. */
 export const SUPPORT = 0.03;

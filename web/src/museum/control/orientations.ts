@@ -2,7 +2,10 @@
 
 import { Quaternion, Vector3 } from 'three';
 
-/** Returns that of the four orientations in which a box looks like `wanted` which is nearest to `current`. */
+/**
+ * Returns that of the four orientations in which a box looks like `wanted` which is nearest to
+ * `current`.
+ */
 export function nearestSymmetric(wanted: Quaternion, current: Quaternion): Quaternion {
   let best = wanted;
   for (const [x, y, z, w] of [
@@ -17,7 +20,10 @@ export function nearestSymmetric(wanted: Quaternion, current: Quaternion): Quate
   return best;
 }
 
-/** Returns the nearest orientation to `current` in which the block lies flat if it is within `limit` rad, else `current`. */
+/**
+ * Returns the nearest orientation to `current` in which the block lies flat if it is within `limit`
+ * rad, else `current`.
+ */
 export function levelled(current: Quaternion, limit: number): Quaternion {
   const up = new Vector3(0, 0, 1).applyQuaternion(current);
   const flat = new Vector3(0, 0, Math.sign(up.z) || 1);

@@ -1,4 +1,5 @@
-// Path of a carried block to its slot: up, across, down. Each stage follows from the position of the block; its pose is never set.
+// Path of a carried block to its slot: up, across, down. Each stage follows from the position of
+// the block; its pose is never set.
 
 import { Quaternion, Vector3 } from 'three';
 import { nearestSymmetric } from './orientations';
@@ -25,7 +26,10 @@ export interface Waypoint {
   speed: number;
 }
 
-/** Returns the next waypoint of a block at `centre` on its path to `slot`; `setDown` lowers it until it touches. */
+/**
+ * Returns the next waypoint of a block at `centre` on its path to `slot`; `setDown` lowers it until
+ * it touches.
+ */
 export function waypoint(centre: Vector3, rotation: Quaternion, slot: FreeSlot, setDown: boolean): Waypoint {
   const orientation = nearestSymmetric(slot.orientation, rotation);
   const offset = Math.hypot(centre.x - slot.position.x, centre.y - slot.position.y);

@@ -3,8 +3,9 @@
 import { Quaternion, Vector3 } from 'three';
 
 /**
- * Returns the block's long axis, which leans with the tower: pulled level, a leaning block would be lifted against the one above it or
- * pressed on the one beneath. A block that leans by more than `limit` rad belongs to no row and is pulled level.
+ * Returns the block's long axis, which leans with the tower: pulled level, a leaning block would be
+ * lifted against the one above it or pressed on the one beneath. A block that leans by more than
+ * `limit` rad belongs to no row and is pulled level.
  */
 export function pullDirection(rotation: Quaternion, limit = 0.3): Vector3 {
   const axis = new Vector3(1, 0, 0).applyQuaternion(rotation);

@@ -8,8 +8,9 @@ const UP = new Vector3(0, 0, 1);
 const ROW = 0.5;
 
 /**
- * Returns the descent of each block by deformation, m: the height lost by the rows beneath, and half of what it has lost itself.
- * `heights`: of the centres without deformation, m. Null where no block is deformed.
+ * Returns the descent of each block by deformation, m: the height lost by the rows beneath, and
+ * half of what it has lost itself. `heights`: of the centres without deformation, m. Null where no
+ * block is deformed.
  */
 export function settlement(bodies: Bodies, heights: ArrayLike<number>): Float64Array | null {
   if (!bodies.strained) return null;

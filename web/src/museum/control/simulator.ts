@@ -20,7 +20,10 @@ export interface Simulator {
   readonly length: number;
   /** Edge lengths, three numbers per body, m. */
   readonly sizes: Float32Array;
-  /** Distance of the particles from the block's centre along each axis, as a fraction of half the edge. */
+  /**
+   * Distance of the particles from the block's centre along each axis, as a fraction of half the
+   * edge.
+   */
   readonly particleOffset: number;
   /** Stiffness of a hand without a force limit, N/m; null where the force is limited. */
   readonly handStiffness: number | null;

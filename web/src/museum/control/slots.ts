@@ -14,9 +14,14 @@ export interface FreeSlot extends SlotId {
 
 /** Gap between the blocks of a row, m. */
 const GAP = 0.0003;
-/** Clearance to a neighbour that already lies there, m: the hand needs some play to come down beside it. */
+/**
+ * Clearance to a neighbour that already lies there, m: the hand needs some play to come down beside
+ * it.
+ */
 const PLAY = 0.0006;
-/** Smallest play on both sides together with which a slot between two neighbours can be filled, m. */
+/**
+ * Smallest play on both sides together with which a slot between two neighbours can be filled, m.
+ */
 const MIN_PLAY = 0.00015;
 /** Clearance above the neighbours of a slot, m. */
 const PASS = 0.006;
@@ -43,7 +48,10 @@ interface Row {
   pitch: number;
 }
 
-/** Returns the slots on top for a block of edge lengths `size`, m, without counting the `held` block; none while nothing stands. */
+/**
+ * Returns the slots on top for a block of edge lengths `size`, m, without counting the `held`
+ * block; none while nothing stands.
+ */
 export function topSlots(bodies: Bodies, held: number | null, size: Vector3): FreeSlot[] {
   const blocks = flatBlocks(bodies, held);
   if (blocks.length === 0) return [];
@@ -72,7 +80,10 @@ export function topSlots(bodies: Bodies, held: number | null, size: Vector3): Fr
   return slots.filter(slot => fitBetween(slot, taken, side, size.y));
 }
 
-/** Moves a slot of an unfinished row clear of its neighbours; returns false if it is taken or no block fits. */
+/**
+ * Moves a slot of an unfinished row clear of its neighbours; returns false if it is taken or no
+ * block fits.
+ */
 function fitBetween(slot: FreeSlot, taken: number[], side: Vector3, width: number): boolean {
   const pitch = width + GAP;
   const offset = slot.position.dot(side);

@@ -1,7 +1,8 @@
 // Limits the motion of the hand's target.
 //
-// A hand whose target jumps throws blocks. The target moves at a limited speed and keeps a limited lead over the grasped point, so that the
-// force of the hand's spring builds up while a block sticks and the target does not run away.
+// A hand whose target jumps throws blocks. The target moves at a limited speed and keeps a limited
+// lead over the grasped point, so that the force of the hand's spring builds up while a block
+// sticks and the target does not run away.
 
 import type { Quat, Vec } from '../../engine/game-protocol';
 import { add, length, rotateTowards, scale, sub } from './vectors';
@@ -28,7 +29,10 @@ export class TargetLimiter {
     private rotation: Quat,
   ) {}
 
-  /** Advances by `dt` seconds towards `goal` from the grasped point. `saturated`: true while the hand is at its force limit. */
+  /**
+   * Advances by `dt` seconds towards `goal` from the grasped point. `saturated`: true while the
+   * hand is at its force limit.
+   */
   advance(goal: Goal, point: Vec, saturated: boolean, dt: number): void {
     const before = length(sub(this.position, point));
     const offset = sub(goal.target, this.position);

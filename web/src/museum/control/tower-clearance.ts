@@ -1,4 +1,5 @@
-// Keeps a carried block clear of the tower: below the top it moves round the front, as a hand would.
+// Keeps a carried block clear of the tower: below the top it moves round the front, as a hand
+// would.
 
 import { Vector3 } from 'three';
 import type { FreeSlot } from './slots';
@@ -29,8 +30,9 @@ export function isClear(centre: Vector3, { axis, radius, height }: Column): bool
 }
 
 /**
- * Moves a wanted centre out of the column along the line of sight, so that it keeps its position on the screen.
- * `towardViewer`: horizontal unit vector. A block whose centre (`current`) is behind the tower stays behind it.
+ * Moves a wanted centre out of the column along the line of sight, so that it keeps its position on
+ * the screen. `towardViewer`: horizontal unit vector. A block whose centre (`current`) is behind
+ * the tower stays behind it.
  */
 export function keepClear(wanted: Vector3, current: Vector3, towardViewer: Vector3, column: Column): Vector3 {
   if (isClear(wanted, column)) return wanted;
