@@ -48,7 +48,7 @@ test('every scene of the list can be built', () => {
   }
 });
 
-test('what is wrong is told in one line', () => {
+test('errors are one line', () => {
   const scene = towerScene('{"rows": 3}');
   const with_ = change => {
     const copy = JSON.parse(scene);
@@ -160,13 +160,13 @@ test('a restored state goes on with the same bits', () => {
   assert.notEqual(simulation.hash(), hashes[0]);
 });
 
-test('the X-ray tells loads that add up and as many loose blocks as the study natively', () => {
+test('the X-ray has loads that add up and as many loose blocks as the study natively', () => {
   const text = towerScene('{"rows": 18, "seed": 1}');
   const simulation = new Simulation(text, '');
   for (let i = 0; i < 120; i++) simulation.step('');
-  const told = simulation.xray();
-  assert.equal(told.length, 2 * 54);
-  const [loads, pulls] = [0, 1].map(k => told.filter((_, i) => i % 2 === k));
+  const xray = simulation.xray();
+  assert.equal(xray.length, 2 * 54);
+  const [loads, pulls] = [0, 1].map(k => xray.filter((_, i) => i % 2 === k));
   assert.equal(pulls.filter(pull => pull < 0.1).length, 27);
   const weights = JSON.parse(text).blocks.map(block => 9.81 * block.mass);
   const sum = part => part.reduce((a, b) => a + b, 0);
@@ -185,11 +185,11 @@ const lattices = simulation => {
   return new Float32Array(memory.buffer, at, simulation.form === 'lattice' ? 52 * simulation.length : 0);
 };
 
-test('blocks get springs and lose them where they are, and what cannot be is told in one line', () => {
+test('blocks get springs and lose them where they are, and an invalid form is an error of one line', () => {
   const simulation = new Simulation(towerScene('{"rows": 6}'), '{"sleep": false}');
   for (let i = 0; i < 60; i++) simulation.step('');
   const before = poses(simulation).slice();
-  const largestWay = () => {
+  const maxDisplacement = () => {
     const now = poses(simulation);
     return Math.max(...before.map((x, i) => (i % 7 < 3 ? Math.abs(now[i] - x) : 0)));
   };
@@ -197,7 +197,7 @@ test('blocks get springs and lose them where they are, and what cannot be is tol
   simulation.setForm('{"form": "lattice"}');
   assert.deepEqual([simulation.form, simulation.springStiffness], ['lattice', simulation.stiffness]);
   for (let i = 0; i < 30; i++) simulation.step('');
-  assert.ok(largestWay() < 1e-4, `${largestWay()} m`);
+  assert.ok(maxDisplacement() < 1e-4, `${maxDisplacement()} m`);
   assert.match(
     message(() => simulation.setForm('{"form": "lattice", "springs": {"stiffness": 1}}')),
     /springs.stiffness.* N\/m/,
@@ -209,7 +209,7 @@ test('blocks get springs and lose them where they are, and what cannot be is tol
   assert.equal(simulation.springStiffness, simulation.stiffness, 'a refused form leaves the world as it was');
   simulation.setForm('{"form": "rigid"}');
   for (let i = 0; i < 30; i++) simulation.step('');
-  assert.ok(largestWay() < 1e-4, `${largestWay()} m`);
+  assert.ok(maxDisplacement() < 1e-4, `${maxDisplacement()} m`);
 });
 
 test('particles lie in their block, and its springs carry what is above it', () => {
@@ -217,12 +217,12 @@ test('particles lie in their block, and its springs carry what is above it', () 
   assert.equal(lattices(simulation).length, 0);
   simulation.setForm('{"form": "lattice", "springs": {"stiffness": 1e6}}');
   for (let i = 0; i < 60; i++) simulation.step('');
-  const told = lattices(simulation);
-  assert.equal(told.length, 52 * 18);
+  const all = lattices(simulation);
+  assert.equal(all.length, 52 * 18);
   const at = poses(simulation);
   for (let body = 0; body < 18; body++) {
     const centre = [0, 1, 2].map(
-      k => Array.from({ length: 8 }, (_, i) => told[52 * body + 3 * i + k]).reduce((a, b) => a + b) / 8,
+      k => Array.from({ length: 8 }, (_, i) => all[52 * body + 3 * i + k]).reduce((a, b) => a + b) / 8,
     );
     centre.forEach((x, k) => assert.ok(Math.abs(x - at[7 * body + k]) < 1e-6, `centre of block ${body}`));
   }
@@ -235,16 +235,16 @@ test('particles lie in their block, and its springs carry what is above it', () 
       for (let i = 0; i < 8; i++) {
         for (let j = i + 1; j < 8; j++, n++) {
           if (((i >> 2) & 1) === ((j >> 2) & 1)) continue;
-          const way = [0, 1, 2].map(k => told[52 * body + 3 * j + k] - told[52 * body + 3 * i + k]);
-          sum -= told[52 * body + 24 + n] * (Math.abs(way[2]) / Math.hypot(...way));
+          const spring = [0, 1, 2].map(k => all[52 * body + 3 * j + k] - all[52 * body + 3 * i + k]);
+          sum -= all[52 * body + 24 + n] * (Math.abs(spring[2]) / Math.hypot(...spring));
         }
       }
     }
     return sum;
   };
   const masses = JSON.parse(towerScene('{"rows": 6}')).blocks.map(block => block.mass);
-  // A particle is at 1/√3 of the way to a face, and by virtual work has so much more to bear than
-  // the face.
+  // A particle is at 1/√3 of the distance to a face, and by virtual work has so much more to bear
+  // than the face.
   const lever = Math.sqrt(3);
   for (let row = 0; row < 6; row++) {
     // All rows above, and the upper half of the row itself.

@@ -34,7 +34,7 @@ export interface Inspect {
    */
   readonly view: { springs: boolean; shown: number; scale: number };
   /**
-   * X-ray: starting force and load of each block (N; null while the tower moves), and number of
+   * X-ray: breakaway force and load of each block (N; null while the tower moves), and number of
    * visible figures.
    */
   readonly xray: { on: boolean; pulls: (number | null)[] | null; loads: number[] | null; shown: number };
@@ -173,6 +173,6 @@ function viewGetters({ store, stage, labels, client }: Inspected) {
       elevation: orbit.elevation,
       position: orbit.camera.position.toArray() as number[],
     }),
-    longest: () => ({ physics: client.longestMessage, picture: stage.longestPicture }),
+    longest: () => ({ physics: client.maxMessageTime, picture: stage.maxPictureTime }),
   };
 }

@@ -57,7 +57,7 @@ export class Stage {
   readonly forces = new ForceScale();
   bodies: Bodies | null = null;
   /** Longest time of one picture, ms. */
-  longestPicture = 0;
+  maxPictureTime = 0;
   private readonly ring = new ForceRing();
   private readonly lattices = new Lattices();
   private readonly interpolation = new Blend(FRAME);
@@ -185,7 +185,7 @@ export class Stage {
   private draw(now: number): void {
     const before = performance.now();
     this.view.draw();
-    this.longestPicture = Math.max(this.longestPicture, performance.now() - before);
+    this.maxPictureTime = Math.max(this.maxPictureTime, performance.now() - before);
     this.drawnAt = now;
     this.drewLast = true;
   }

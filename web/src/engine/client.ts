@@ -32,7 +32,7 @@ export class Client<S = Setup, F extends Frame = Frame> {
   private requested = 0;
   private world = 0;
   /** Longest time for which one message of the worker blocked the page, ms. */
-  longestMessage = 0;
+  maxMessageTime = 0;
 
   constructor(
     private readonly worker: Worker,
@@ -41,7 +41,7 @@ export class Client<S = Setup, F extends Frame = Frame> {
     this.worker.onmessage = (event: MessageEvent<FromWorker>) => {
       const before = performance.now();
       this.receive(event.data);
-      this.longestMessage = Math.max(this.longestMessage, performance.now() - before);
+      this.maxMessageTime = Math.max(this.maxMessageTime, performance.now() - before);
     };
     this.worker.onerror = event => listener.failed(event.message || 'the worker did not start');
   }

@@ -93,7 +93,7 @@ export type ToPlane =
   | { type: 'build'; scene: number; setup: PlaneSetup }
   /** `speed`: simulated time per wall time; 0 pauses. */
   | { type: 'speed'; speed: number }
-  /** One step of the method. */
+  /** Advances the method by one step. */
   | { type: 'single' }
   | { type: 'hold'; x: number; y: number }
   | { type: 'drag'; x: number; y: number }

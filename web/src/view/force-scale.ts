@@ -28,15 +28,10 @@ export class ForceScale {
 }
 
 /**
- * Returns the level of a force on the scale, from -1 (full compression) to 1 (full tension). The
- * square root separates the springs of the upper rows, which carry a tenth of the load of the
- * lowest, from those without load. The shader of the springs has the same formula.
+ * Returns the force at a level of the scale, from -1 (full compression) to 1 (full tension), N. The
+ * shader of the springs has the inverse: the square root separates the springs of the upper rows,
+ * which carry a tenth of the load of the lowest, from those without load.
  */
-export function level(force: number, end: number): number {
-  return Math.sign(force) * Math.sqrt(Math.min(1, Math.abs(force) / end));
-}
-
-/** Returns the force at a level of the scale, N. */
 export function forceAt(level: number, end: number): number {
   return Math.sign(level) * level * level * end;
 }

@@ -1,4 +1,4 @@
-// The X-ray: load and starting force of each block as numbers and colours.
+// The X-ray: load and breakaway force of each block as numbers and colours.
 
 import { Vector3 } from 'three';
 import type { Bodies } from '../view/bodies';
@@ -8,7 +8,7 @@ import type { Bodies } from '../view/bodies';
  * support).
  */
 export const XRAY_STRIDE = 2;
-/** Starting force below which a block is loose, N: hardly more than that of its own weight. */
+/** Breakaway force below which a block is loose, N: hardly more than that of its own weight. */
 export const LOOSE = 0.1;
 /** End of the colour scale, N. It is logarithmic and begins at [`LOOSE`]. */
 export const END = 10;
@@ -35,7 +35,7 @@ const RAMP = [
   '#482878',
   '#440154',
 ];
-/** Colour of blocks without a starting force. */
+/** Colour of blocks without a breakaway force. */
 export const NO_COLOUR = '#8b857e';
 /** Level from which a block is dark enough for light text. */
 const DARK = 0.4;
@@ -48,7 +48,7 @@ export function levelOf(force: number): number {
   return Math.min(1, Math.max(0, Math.log(force / LOOSE) / Math.log(END / LOOSE)));
 }
 
-/** Returns the colour for a starting force (N): red, green and blue in sRGB, 0 to 1. */
+/** Returns the colour for a breakaway force (N): red, green and blue in sRGB, 0 to 1. */
 export function colourOf(force: number): [number, number, number] {
   const at = levelOf(force) * (RAMP.length - 1);
   const from = Math.min(RAMP.length - 2, Math.floor(at));
@@ -61,7 +61,7 @@ export function channels(hex: string): [number, number, number] {
   return [1, 3, 5].map(at => parseInt(hex.slice(at, at + 2), 16) / 255) as [number, number, number];
 }
 
-/** Returns true if text on a block with a starting force (N) must be light. */
+/** Returns true if text on a block with a breakaway force (N) must be light. */
 export function isDark(force: number): boolean {
   return levelOf(force) > DARK;
 }

@@ -57,7 +57,7 @@ async function facing(page: Page) {
   return { body: found.body, at: onPage(found.at), out: onPage(found.out) };
 }
 
-test('opens without a complaint, asks nobody else, and draws the tower and every method', async () => {
+test('opens without a complaint, makes no requests elsewhere, and draws the tower and every method', async () => {
   const foreign: string[] = [];
   await using session = await open('quality=low&scale=0.5', {
     before: async page => {
@@ -107,8 +107,8 @@ test('the ghost takes each frame with the engine and the same hand, and the page
   const read = () =>
     page.evaluate(() => {
       const { poses, ghost, costs, time } = window.museum.tower!;
-      const told = document.getElementById('n-apart')!.textContent!;
-      return { poses, ghost: ghost!, costs: costs!, time, told };
+      const readout = document.getElementById('n-apart')!.textContent!;
+      return { poses, ghost: ghost!, costs: costs!, time, readout };
     });
   await simulate(page, 1);
   const rest = await read();
@@ -137,8 +137,8 @@ test('the ghost takes each frame with the engine and the same hand, and the page
   await session.settled(() => document.getElementById('n-apart')!.textContent);
   const still = await read();
   const max = 1000 * Math.max(...displacements(still.poses, still.ghost));
-  expect(still.told).toMatch(/^\d+(\.\d+)? mm$/);
-  expect(Number.parseFloat(still.told)).toBeCloseTo(max, 1);
+  expect(still.readout).toMatch(/^\d+(\.\d+)? mm$/);
+  expect(Number.parseFloat(still.readout)).toBeCloseTo(max, 1);
   expect(session.complaints).toEqual([]);
 });
 
@@ -189,7 +189,7 @@ const part = (method: Method, name: string) => `[data-method="${method}"] [data-
 const stack = (method: Method) =>
   String(EXHIBITS.find(e => e.method === method)!.sceneries.findIndex(s => s.setting === 'stack'));
 
-test.each(METHODS)('%s: runs, takes a block more, a pointer pulls, and it begins anew', async method => {
+test.each(METHODS)('%s: runs, takes a block more, a pointer pulls, and it begins again', async method => {
   await using session = await open(SMALL);
   const { page } = session;
   const canvas = await visit(page, method);
@@ -245,8 +245,8 @@ test('a falling stack reaches the limit of the constraints (Figure 3.3) and need
     await visit(page, method);
     await page.selectOption(part(method, 'speed'), '1');
     await page.waitForFunction(m => window.museum.plane(m).counts!.time > 0.15, method);
-    const told = await page.textContent(`${part(method, 'counters')} div:nth-child(2) dd`);
-    return { most: Number(told!.split('max ')[1]), cut: (await plane(page, method)).counts!.cut };
+    const counter = await page.textContent(`${part(method, 'counters')} div:nth-child(2) dd`);
+    return { most: Number(counter!.split('max ')[1]), cut: (await plane(page, method)).counts!.cut };
   };
   const constraint = await numbers('constraint');
   expect(constraint.most).toBe(1000);
@@ -263,7 +263,7 @@ test.each([
 ])('at %i x %i nothing leaves the page sideways, and targets are large enough', async (width, height) => {
   const phone = width < 1000;
   await using session = await open(SMALL, { viewport: { width, height }, hasTouch: phone, isMobile: phone });
-  const faults = await session.page.evaluate(() => {
+  const problems = await session.page.evaluate(() => {
     const found: string[] = [];
     for (const element of document.querySelectorAll<HTMLElement>('button, a, select, .segments label, canvas')) {
       const box = element.getBoundingClientRect();
@@ -278,7 +278,7 @@ test.each([
     if (document.documentElement.scrollWidth > innerWidth) found.push('the page scrolls sideways');
     return found;
   });
-  expect(faults).toEqual([]);
+  expect(problems).toEqual([]);
 });
 
 test('the game leads to the museum and back', async () => {
@@ -301,10 +301,10 @@ test('without WebGL the plane is still there', async () => {
     ready: false,
     before: page =>
       page.addInitScript(() => {
-        const usual = HTMLCanvasElement.prototype.getContext;
+        const original = HTMLCanvasElement.prototype.getContext;
         HTMLCanvasElement.prototype.getContext = function (this: HTMLCanvasElement, kind: string, ...rest: unknown[]) {
-          return kind === '2d' ? Reflect.apply(usual, this, [kind, ...rest]) : null;
-        } as typeof usual;
+          return kind === '2d' ? Reflect.apply(original, this, [kind, ...rest]) : null;
+        } as typeof original;
       }),
   });
   const { page } = session;

@@ -23,7 +23,7 @@ function topBlock(page: Page): Promise<{ body: number; x: number; y: number } | 
   });
 }
 
-test('loads without a complaint, asks nobody else, and draws', async () => {
+test('loads without a complaint, makes no requests elsewhere, and draws', async () => {
   const foreign: string[] = [];
   await using session = await Session.open(chrome, 'help=0&quality=medium&scale=0.5', {
     before: async page => {
@@ -46,17 +46,17 @@ test('the tower stands ten seconds, awake', async () => {
   const first = await session.page.evaluate(() => window.teeter.hash());
   await session.simulate(10);
   const after = await session.poses();
-  const told = await session.page.evaluate(async () => {
+  const end = await session.page.evaluate(async () => {
     const { state, count, awake, quarantined } = window.teeter;
     return { state, count, awake, quarantined, hash: await window.teeter.hash() };
   });
-  expect(told.count).toBe(54);
-  expect(told.awake).toBe(54);
-  expect(told.state).toBe('standing');
-  expect(told.quarantined).toEqual([]);
+  expect(end.count).toBe(54);
+  expect(end.awake).toBe(54);
+  expect(end.state).toBe('standing');
+  expect(end.quarantined).toEqual([]);
   expect(Math.max(...displacements(before, after)), 'largest displacement of a block, m').toBeLessThan(1e-5);
   expect(first.hash).toMatch(/^[0-9a-f]{16}$/);
-  expect(told.hash.hash).not.toBe(first.hash);
+  expect(end.hash.hash).not.toBe(first.hash);
   expect(session.complaints).toEqual([]);
 });
 
@@ -83,9 +83,9 @@ test('the stiffness that the page chose is shown, and is all that the choice mea
       form: window.teeter.form.value,
     }));
     const [shown, selected] = [await page.textContent('#stiffness-value'), await page.inputValue('#stiffness')];
-    const told = { stiffness, form, shown, selected, states: await states(session, 2) };
+    const opened = { stiffness, form, shown, selected, states: await states(session, 2) };
     expect(session.complaints).toEqual([]);
-    return told;
+    return opened;
   };
   const own = await open('');
   const { value } = own.stiffness;
@@ -156,9 +156,9 @@ test("the player can choose another stiffness, which stays until the choice is t
   const { page } = session;
   const built = (stiffness: { value?: number; chosen: boolean }) =>
     page.waitForFunction(
-      want =>
-        window.teeter.stiffness.chosen === want.chosen &&
-        (want.value ?? window.teeter.stiffness.value) === window.teeter.stiffness.value,
+      expected =>
+        window.teeter.stiffness.chosen === expected.chosen &&
+        (expected.value ?? window.teeter.stiffness.value) === window.teeter.stiffness.value,
       stiffness,
     );
   await page.click('#settings');
@@ -189,7 +189,7 @@ function findLoose(session: Session) {
         const at = teeter.screenOf(body, end);
         if (teeter.blockAt(at.x, at.y) !== body) continue;
         const inner = teeter.screenOf(body, [0, 0, 0]);
-        // An end that faces the viewer shows the block coming out towards the viewer: its way on
+        // An end that faces the viewer shows the block coming out towards the viewer: its travel on
         // the screen goes down.
         if (at.y <= inner.y) continue;
         const out = teeter.screenOf(body, [(side * teeter.sizes[3 * body]) / 2 + side * 0.12, 0, 0]);
@@ -220,22 +220,22 @@ test('a loose block is pulled out with the mouse, carried, and put on top', asyn
   expect(Math.max(...pulled.filter((_, i) => i !== body)), 'displacement of any other block, m').toBeLessThan(1e-3);
 
   await page.waitForFunction(() => window.teeter.slots.length === 3);
-  const way = await page.evaluate(b => {
+  const path = await page.evaluate(b => {
     const here = window.teeter.screenOf(b);
     const there = window.teeter.project(window.teeter.slots[1] as [number, number, number]);
     return { x: there.x - here.x, y: there.y - here.y, slot: window.teeter.slots[1] };
   }, body);
-  await drag(session, out, { x: out.x + way.x, y: out.y + way.y }, 60, 0.04);
+  await drag(session, out, { x: out.x + path.x, y: out.y + path.y }, 60, 0.04);
   await page.waitForFunction(() => window.teeter.hand?.slot);
   await page.mouse.up();
   await page.waitForFunction(() => window.teeter.hand === null);
   await session.simulate(1.5);
 
   const after = await session.poses();
-  const place = after.slice(7 * body, 7 * body + 3);
-  expect(Math.hypot(place[0] - way.slot[0], place[1] - way.slot[1]), 'beside its slot, m').toBeLessThan(0.004);
+  const position = after.slice(7 * body, 7 * body + 3);
+  expect(Math.hypot(position[0] - path.slot[0], position[1] - path.slot[1]), 'beside its slot, m').toBeLessThan(0.004);
   expect(
-    place[2] - Math.max(...after.filter((_, i) => i % 7 === 2 && (i - 2) / 7 !== body)),
+    position[2] - Math.max(...after.filter((_, i) => i % 7 === 2 && (i - 2) / 7 !== body)),
     'above the row beneath, m',
   ).toBeGreaterThan(0.01);
   const moved = displacements(before, after);
@@ -341,37 +341,37 @@ test('a pause lets the camera turn while a block is held, and the hand goes on a
   await page.mouse.down();
   await drag(session, at, { x: at.x, y: at.y - 60 }, 20, 0.03);
   await session.simulate(0.5);
-  const look = () =>
+  const state = () =>
     page.evaluate(() => ({
       camera: window.teeter.camera,
       time: window.teeter.time,
       hand: window.teeter.hand,
       paused: window.teeter.paused,
     }));
-  const held = await look();
+  const held = await state();
   expect(held.hand).toMatchObject({ body, grip: 'carry' });
 
   // While a block is held and time runs, the pointer does not turn the camera.
   await page.keyboard.press(' ');
-  const frozen = await look();
+  const frozen = await state();
   expect(frozen.paused).toBe(true);
   expect(frozen.camera.azimuth).toBe(held.camera.azimuth);
   await drag(session, { x: at.x, y: at.y - 60 }, { x: at.x + 150, y: at.y - 20 }, 15);
   await session.settled(() => window.teeter.camera);
-  const turned = await look();
+  const turned = await state();
   expect(Math.abs(turned.camera.azimuth - held.camera.azimuth), 'turn of the camera, rad').toBeGreaterThan(0.5);
   expect(turned.hand).toMatchObject({ body, grip: 'carry' });
   await page.waitForTimeout(200);
-  expect((await look()).time, 'time stands still').toBe(turned.time);
+  expect((await state()).time, 'time stands still').toBe(turned.time);
 
   const before = await session.poses();
   await page.keyboard.press(' ');
   await session.simulate(0.2);
   await drag(session, { x: at.x + 150, y: at.y - 20 }, { x: at.x + 150, y: at.y - 60 }, 15, 0.03);
   await session.simulate(0.5);
-  const resumed = await look();
+  const resumed = await state();
   expect(resumed.hand).toMatchObject({ body, grip: 'carry' });
-  expect(resumed.camera.azimuth, 'the camera is still again').toBeCloseTo((await look()).camera.azimuth, 9);
+  expect(resumed.camera.azimuth, 'the camera is still again').toBeCloseTo((await state()).camera.azimuth, 9);
   const after = await session.poses();
   expect(after[7 * body + 2] - before[7 * body + 2], 'rise of the held block, m').toBeGreaterThan(0.01);
   await page.mouse.up();
@@ -457,7 +457,7 @@ test.each([
     isMobile: phone,
   });
   const { page } = session;
-  const faults = (carrying = false) =>
+  const problems = (carrying = false) =>
     page.evaluate(carrying => {
       const found: string[] = [];
       if (carrying) document.getElementById('carrying')!.hidden = false;
@@ -498,20 +498,20 @@ test.each([
         found.push('the page scrolls');
       return found;
     }, carrying);
-  expect(await faults()).toEqual([]);
+  expect(await problems()).toEqual([]);
   await page.click('#settings');
-  expect(await faults()).toEqual([]);
+  expect(await problems()).toEqual([]);
   await page.selectOption('#form', 'lattice');
   await page.waitForSelector('#springs-fields:not([hidden])');
-  expect(await faults(), 'with the dial of the springs').toEqual([]);
+  expect(await problems(), 'with the dial of the springs').toEqual([]);
   await page.click('#panel-close');
   await page.click('#springs-toggle');
   await page.waitForSelector('#scale:not([hidden])');
-  expect(await faults(), 'with the legend of the springs').toEqual([]);
-  expect(await faults(true), 'with a block in the hand').toEqual([]);
+  expect(await problems(), 'with the legend of the springs').toEqual([]);
+  expect(await problems(true), 'with a block in the hand').toEqual([]);
   await page.click('#xray-toggle');
   await page.waitForFunction(() => window.teeter.xray.pulls !== null);
-  expect(await faults(true), 'with the legend of the X-ray').toEqual([]);
+  expect(await problems(true), 'with the legend of the X-ray').toEqual([]);
 });
 
 test('controls: a new seed, fewer rows, another scene, reset', async () => {
@@ -536,7 +536,7 @@ test('controls: a new seed, fewer rows, another scene, reset', async () => {
 });
 
 test('a page without WebGL or without the engine says so in words', async () => {
-  const told = async (before: (page: Page) => Promise<unknown> | void) => {
+  const trouble = async (before: (page: Page) => Promise<unknown> | void) => {
     await using session = await Session.open(chrome, SMALL, { before, ready: false });
     await session.page.waitForSelector('#trouble:not([hidden])');
     return await session.page.textContent('#trouble-text');
@@ -545,9 +545,9 @@ test('a page without WebGL or without the engine says so in words', async () => 
     page.addInitScript(() => {
       HTMLCanvasElement.prototype.getContext = () => null;
     });
-  expect(await told(noDrawing)).toContain('WebGL');
-  expect(await told(page => page.route('**/*.wasm', route => route.abort()))).toContain('engine');
-  expect(await told(page => page.addInitScript(() => Object.assign(window, { Worker: undefined })))).toContain(
+  expect(await trouble(noDrawing)).toContain('WebGL');
+  expect(await trouble(page => page.route('**/*.wasm', route => route.abort()))).toContain('engine');
+  expect(await trouble(page => page.addInitScript(() => Object.assign(window, { Worker: undefined })))).toContain(
     'workers',
   );
 });

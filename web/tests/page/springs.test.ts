@@ -1,5 +1,5 @@
-// Springs inside the blocks: the page gives and takes them on a tower that stands, squashes it and
-// lets it rise, and shows what they do.
+// Springs inside the blocks: the page gives and takes them on a tower that stands, compresses it
+// and lets it rise, and shows what they do.
 
 import type { Page } from 'playwright-core';
 import { afterAll, beforeAll, expect, test } from 'vitest';
@@ -55,7 +55,7 @@ test('a standing tower gets springs and loses them, and no block moves by a tent
   expect(session.complaints).toEqual([]);
 });
 
-test('soft springs squash the tower, stiff ones raise it again, and neither is a fall', async () => {
+test('soft springs compress the tower, stiff ones raise it again, and neither is a fall', async () => {
   await using session = await Session.open(chrome, `${SPRUNG}&rows=12&seed=5&sleep=0&render=once`);
   const { page } = session;
   await session.simulate(0.5);

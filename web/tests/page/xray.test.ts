@@ -81,7 +81,7 @@ test('a block that the X-ray calls loose comes out by the mouse while the tower 
   expect(session.complaints).toEqual([]);
 });
 
-test('the X-ray tells of blocks of springs as well, and of blocks that lie about', async () => {
+test('the X-ray shows blocks of springs as well, and blocks that lie about', async () => {
   await using session = await Session.open(chrome, `${SPRUNG}&rows=4&seed=3`);
   const { page } = session;
   await page.keyboard.press('x');
@@ -90,7 +90,7 @@ test('the X-ray tells of blocks of springs as well, and of blocks that lie about
     (await page.evaluate(() => window.teeter.xray.pulls!.slice(-3))).every(pull => pull !== null && pull < 0.1),
   ).toBe(true);
   await page.keyboard.press('s');
-  expect(await page.evaluate(() => window.teeter.xray.on), 'springs in its place').toBe(false);
+  expect(await page.evaluate(() => window.teeter.xray.on), 'springs instead').toBe(false);
   await page.keyboard.press('x');
   expect(await page.evaluate(() => window.teeter.view.springs)).toBe(false);
   await page.click('#settings');
@@ -103,7 +103,7 @@ test('the X-ray tells of blocks of springs as well, and of blocks that lie about
   expect(session.complaints).toEqual([]);
 });
 
-test('while time stands still the X-ray of a tower at rest can be looked at', async () => {
+test('while time stands still the X-ray of a tower at rest can be read', async () => {
   await using session = await Session.open(chrome, `${SMALL}&rows=6&seed=5`);
   const { page } = session;
   await session.simulate(1.5);
@@ -122,15 +122,15 @@ test.each([
   const { page } = session;
   await page.click('#xray-toggle');
   await known(session);
-  const faults = await page.evaluate(() => {
+  const problems = await page.evaluate(() => {
     const { teeter } = window;
     const box = (id: string) => document.getElementById(id)!.getBoundingClientRect();
-    const faults: string[] = [];
+    const problems: string[] = [];
     const tools = box('tools');
     for (const button of document.querySelectorAll<HTMLElement>('#tools button')) {
       const { left, right } = button.getBoundingClientRect();
       const inside = button.scrollWidth <= button.clientWidth && left >= tools.left && right <= tools.right;
-      if (!inside) faults.push(button.textContent!.trim());
+      if (!inside) problems.push(button.textContent!.trim());
     }
     for (let body = 0; body < teeter.count; body++) {
       for (const [i, j, k] of [0, 1, 2, 3, 4, 5, 6, 7].map(n => [n & 1, (n >> 1) & 1, n >> 2].map(bit => bit - 0.5))) {
@@ -141,12 +141,12 @@ test.each([
         ]);
         for (const id of ['switches', 'xray', 'tools', 'title']) {
           const { left, right, top, bottom } = box(id);
-          if (at.x > left && at.x < right && at.y > top && at.y < bottom) faults.push(`${id} covers block ${body}`);
+          if (at.x > left && at.x < right && at.y > top && at.y < bottom) problems.push(`${id} covers block ${body}`);
         }
       }
     }
-    return faults;
+    return problems;
   });
-  expect(faults).toEqual([]);
+  expect(problems).toEqual([]);
   expect(session.complaints).toEqual([]);
 });

@@ -153,7 +153,7 @@ test('blocks have springs inside where the device holds them, and are rigid on s
   expect(sprung(NaN).choose(54)).toEqual({ form: 'rigid', stiffness: STIFFNESSES[0] });
 });
 
-test('springs are chosen only with contacts that tell loose from tight, and leave a frame of twice the cost of the trial in real time', () => {
+test('springs are chosen only with contacts that separate loose from tight, and leave a frame of twice the cost of the trial in real time', () => {
   for (const cost of COSTS) {
     const { form, stiffness } = sprung(cost).choose(54);
     if (form === 'rigid') continue;

@@ -1,4 +1,4 @@
-// What follows from particles: the strain of a block, whatever its place and turn, and the picture
+// Strain from particles: that of a block, whatever its position and orientation, and the picture
 // between two states.
 
 import { Quaternion, Vector3 } from 'three';
@@ -18,22 +18,22 @@ import {
 } from '../../src/view/lattice';
 import { SIZE } from './towers';
 
-const PLACE = 1 / Math.sqrt(3);
+const OFFSET = 1 / Math.sqrt(3);
 const AT = new Vector3(0.02, -0.03, 0.2);
 const TURN = new Quaternion(0.3, -0.2, 0.5, 0.7).normalize();
 const POSE = Float32Array.from([...AT.toArray(), ...TURN.toArray()]);
 const SIZES = Float32Array.from(SIZE.toArray());
 
 /**
- * The particles of a block at AT with TURN whose places `strain` has moved in its frame, and no
+ * The particles of a block at AT with TURN which `strain` has moved in its frame, and no
  * forces.
  */
 function particles(strain: (p: Vector3) => Vector3): Float32Array {
   const lattice = new Float32Array(LATTICE_STRIDE);
   for (let i = 0; i < PARTICLES; i++) {
     const side = new Vector3(...([0, 1, 2] as const).map(k => ((i >> k) & 1 ? 1 : -1)));
-    const place = side.multiply(SIZE).multiplyScalar(PLACE / 2);
-    strain(place)
+    const position = side.multiply(SIZE).multiplyScalar(OFFSET / 2);
+    strain(position)
       .applyQuaternion(TURN)
       .add(AT)
       .toArray(lattice, 3 * i);
@@ -41,7 +41,7 @@ function particles(strain: (p: Vector3) => Vector3): Float32Array {
   return lattice;
 }
 
-const SQUASHED = (p: Vector3) => new Vector3(1.02 * p.x + 0.1 * p.z, 1.05 * p.y, 0.8 * p.z);
+const COMPRESSED = (p: Vector3) => new Vector3(1.02 * p.x + 0.1 * p.z, 1.05 * p.y, 0.8 * p.z);
 
 test('28 springs join 8 particles, each pair once', () => {
   expect(ENDS.length).toBe(SPRINGS);
@@ -51,32 +51,32 @@ test('28 springs join 8 particles, each pair once', () => {
   for (const [i, j] of ENDS) expect(i).toBeLessThan(j);
 });
 
-test('the strain is found in the frame of the block, whatever its place and turn', () => {
+test('the strain is found in the frame of the block, whatever its position and orientation', () => {
   const none = strains(
     particles(p => p),
     POSE,
     SIZES,
-    PLACE,
+    OFFSET,
   );
   unstrained(1).forEach((one, n) => expect(none[n], `number ${n}`).toBeCloseTo(one, 5));
-  const found = strains(particles(SQUASHED), POSE, SIZES, PLACE);
+  const found = strains(particles(COMPRESSED), POSE, SIZES, OFFSET);
   [1.02, 0, 0, 0, 1.05, 0, 0.1, 0, 0.8].forEach((value, n) => expect(found[n], `number ${n}`).toBeCloseTo(value, 5));
 });
 
-test('the way of a corner along the axis on which it is moved farthest, and nothing where there is none', () => {
+test('the largest displacement of a corner along an axis, and nothing without strain', () => {
   expect(maxDeformation(unstrained(2), [...SIZES, ...SIZES])).toBe(0);
-  const strain = strains(particles(SQUASHED), POSE, SIZES, PLACE);
+  const strain = strains(particles(COMPRESSED), POSE, SIZES, OFFSET);
   expect(maxDeformation(strain, SIZES)).toBeCloseTo(0.2 * 0.009, 6);
 });
 
 test('the surface of a block is that of its particles, and the hand holds it by its pose', () => {
-  const bodies = new Bodies(SIZES, POSE, PLACE);
+  const bodies = new Bodies(SIZES, POSE, OFFSET);
   expect(bodies.strained).toBe(false);
-  for (let i = 0; i < 2; i++) bodies.arrive(POSE, particles(SQUASHED));
+  for (let i = 0; i < 2; i++) bodies.arrive(POSE, particles(COMPRESSED));
   bodies.blend(1);
   expect(bodies.strained).toBe(true);
   const corner = SIZE.clone().multiplyScalar(0.5);
-  const wanted = SQUASHED(corner).applyQuaternion(TURN).add(AT);
+  const wanted = COMPRESSED(corner).applyQuaternion(TURN).add(AT);
   expect(bodies.surface(0, corner).distanceTo(wanted)).toBeLessThan(1e-7);
   expect(bodies.toWorld(0, corner).distanceTo(corner.clone().applyQuaternion(TURN).add(AT))).toBeLessThan(1e-7);
   const edges = bodies.edges(0);
@@ -88,9 +88,9 @@ test('the surface of a block is that of its particles, and the hand holds it by 
   expect(bodies.halfExtentUnstrained(0, up)).toBeCloseTo(0.5 * SIZE.z, 6);
 });
 
-test('a ray meets the squashed top where it is, and the hand is told where that is in the pose', () => {
-  const bodies = new Bodies(SIZES, POSE, PLACE);
-  for (let i = 0; i < 2; i++) bodies.arrive(POSE, particles(SQUASHED));
+test('a ray meets the compressed top where it is, and the anchor is that point in the pose', () => {
+  const bodies = new Bodies(SIZES, POSE, OFFSET);
+  for (let i = 0; i < 2; i++) bodies.arrive(POSE, particles(COMPRESSED));
   bodies.blend(1);
   const up = new Vector3(0, 0, 1).applyQuaternion(TURN);
   const hit = pick(bodies, AT.clone().addScaledVector(up, 0.3), up.clone().negate())!;
@@ -118,7 +118,7 @@ test('the picture is between two states, and springs that go away go at once', (
   expect(lattices.shown).toBeNull();
 });
 
-test('the largest force is of a spring, never a place', () => {
+test('the largest force is of a spring, never a position', () => {
   const lattice = particles(p => p.multiplyScalar(100));
   lattice[LATTICE_STRIDE - 1] = -0.3;
   expect(maxForce(lattice)).toBeCloseTo(0.3, 6);

@@ -44,7 +44,7 @@ test('a pause leaves nothing owed, and a clock that goes back does no harm', () 
   expect(drain(pace)).toBe(0);
 });
 
-test('the speedometer tells simulated time per wall time and per time spent', () => {
+test('the speedometer measures simulated time per wall time and per time spent', () => {
   const meter = new Speedometer(1);
   expect(meter.factor()).toBe(1);
   // Steps of 1/60 s every 1/30 s that cost 5 ms each: half speed, and 3.3 times real time if

@@ -23,14 +23,14 @@ test('the tighter the darker, all along the scale, and figures stand out against
   expect([0.01, LOOSE, 1, 10, 100].map(levelOf)).toEqual([0, 0, 0.5, 1, 1]);
 });
 
-test('forces are told with figures that count', () => {
+test('forces are shown in figures that count', () => {
   expect([0.077, 0.5, 0.994, 0.996, 3.94, 9.96].map(forceText)).toEqual(['0.08', '0.50', '0.99', '1.0', '3.9', '10']);
 });
 
 test('loose is what starts below a tenth of a newton', () => {
-  const told = readings([0, 0.08, 1, 0.3, 0, 0.0999], tower(['xxx']));
-  expect(told.map(isLoose)).toEqual([true, false, true]);
-  expect(told[1]).toEqual({ load: 1, pull: expect.closeTo(0.3, 6) });
+  const all = readings([0, 0.08, 1, 0.3, 0, 0.0999], tower(['xxx']));
+  expect(all.map(isLoose)).toEqual([true, false, true]);
+  expect(all[1]).toEqual({ load: 1, pull: expect.closeTo(0.3, 6) });
 });
 
 test('what lies on nothing, leans or stands on an end or an edge has no pull', () => {

@@ -2,7 +2,7 @@
 
 import { expect, test } from 'vitest';
 import { DIAL, snapped, newtonsPerMillimetre, stepOf, stiffnessAt } from '../../src/ui/springs-dial';
-import { forceAt, ForceScale, formatForce, level, unitOf } from '../../src/view/force-scale';
+import { forceAt, ForceScale, formatForce, unitOf } from '../../src/view/force-scale';
 
 test('the first force is taken as it is, later ones are followed: up soon, down slowly', () => {
   const scale = new ForceScale();
@@ -29,14 +29,14 @@ test('the picture does not depend on the rate of frames', () => {
   expect(end(30)).toBeCloseTo(end(144), 6);
 });
 
-test('a force has its place on the scale, and the place its force', () => {
-  for (const force of [-3, -0.4, 0, 0.01, 2.9]) expect(forceAt(level(force, 3), 3)).toBeCloseTo(force, 12);
-  expect(level(-0.75, 3)).toBeCloseTo(-0.5, 12);
-  expect(level(7, 3)).toBe(1);
-  expect(level(-7, 3)).toBe(-1);
+test('a level of the scale has its force, with the square root of the force between them', () => {
+  for (const force of [-3, -0.4, 0, 0.01, 2.9])
+    expect(forceAt(Math.sign(force) * Math.sqrt(Math.abs(force) / 3), 3)).toBeCloseTo(force, 12);
+  expect(forceAt(-0.5, 3)).toBeCloseTo(-0.75, 12);
+  expect([-1, 1].map(end => forceAt(end, 3))).toEqual([-3, 3]);
 });
 
-test('forces are told in two figures', () => {
+test('forces are shown in two figures', () => {
   expect([3.2024, -0.80061, 0, 12.34].map(force => formatForce(force, 'N'))).toEqual(['3.2', '0.8', '0', '12']);
   expect(formatForce(0.00456, 'mN')).toBe('4.6');
   expect([unitOf(2), unitOf(0.02)]).toEqual(['N', 'mN']);
