@@ -31,8 +31,7 @@ for (const file of files) {
     const lines = lineOf(end) - line + 1;
     const at = `${relative(root, file)}:${line}`;
     if (lines > MAX_LINES) problems.push(`${at}: function of ${lines} lines, at most ${MAX_LINES}`);
-    if (params.length > MAX_PARAMETERS)
-      problems.push(`${at}: ${params.length} parameters, at most ${MAX_PARAMETERS}`);
+    if (params.length > MAX_PARAMETERS) problems.push(`${at}: ${params.length} parameters, at most ${MAX_PARAMETERS}`);
   }
 }
 
