@@ -106,6 +106,7 @@ export type GameEvent =
   | { event: 'released'; body: number }
   | { event: 'placed'; body: number; slot: SlotId }
   | { event: 'poked'; body: number }
+  /** The bodies that fell in this step. */
   | { event: 'fell'; bodies: number[] }
   | { event: 'refused'; reason: string };
 

@@ -8,15 +8,24 @@ import type { Mode, ModeUi } from './mode';
 
 const STATES: Record<Update['tower'], string> = { standing: 'Standing', moving: 'Moving', fallen: 'Fallen' };
 
+/** True once the fall of the tower has been reported; later events name further blocks. */
+let reported = false;
+
 export const free: Mode = {
   id: 'free',
-  rules: () => ({ canTurn: true }),
+  rules() {
+    reported = false;
+    return { canTurn: true };
+  },
   overlay({ tower, fallen }, blocks) {
     const fell = `${fallen.length} of ${blocks} blocks fell`;
     return { status: tower === 'fallen' ? fell : `${STATES[tower]} · ${blocks} blocks` };
   },
   onEvent(event, ui) {
-    if (event.event === 'fell') ui.notice('The tower fell.', 6);
+    if (event.event === 'fell' && !reported) {
+      reported = true;
+      ui.notice('The tower fell.', 6);
+    }
     if (event.event === 'poked') void describeHolders(event.body, ui);
   },
 };

@@ -154,12 +154,13 @@ export class Tower {
     if (!this.store.state.world) return;
     this.stage.receive(frame);
     if (frame.ghost) this.ghost?.arrive(frame.ghost.poses, frame.ghost.lattices);
+    const stood = this.store.state.frame?.update.tower !== 'fallen';
     this.store.set({ frame });
     this.hand.receive(frame);
     if (!frame.update.hand) this.warned = false;
     else this.warn();
     const both = this.store.state.setup.show === 'both';
-    if (frame.update.events.some(event => event.event === 'fell'))
+    if (stood && frame.update.tower === 'fallen')
       this.notice.show(both ? 'The engine’s tower fell.' : 'The tower fell.', LONG);
   }
 
