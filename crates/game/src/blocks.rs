@@ -201,3 +201,37 @@ pub(crate) mod samples {
         poses.extend(position.to_array().into_iter().chain(orientation.to_array()));
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::samples::{SIZE, blocks, push};
+    use super::*;
+
+    #[test]
+    fn the_surface_of_a_block_is_that_of_its_particles_and_the_pose_carries_a_point() {
+        let body = BodyId(0);
+        let position = DVec3::new(0.02, -0.03, 0.2);
+        let orientation = DQuat::from_xyzw(0.3, -0.2, 0.5, 0.7).normalize();
+        let compressed = |p: DVec3| DVec3::new(1.02 * p.x + 0.1 * p.z, 1.05 * p.y, 0.8 * p.z);
+        let mut poses = Vec::new();
+        push(&mut poses, position, orientation);
+        let mut blocks = blocks(&poses);
+        assert!(!blocks.is_strained());
+        let offset = 1.0 / 3f64.sqrt();
+        let particles = std::array::from_fn(|i| {
+            let side = DVec3::from([0, 1, 2].map(|k| if i >> k & 1 == 1 { 0.5 } else { -0.5 }));
+            position + orientation * compressed(side * offset * SIZE)
+        });
+        blocks.set_particles(&[particles], offset);
+        assert!(blocks.is_strained());
+        let corner = 0.5 * SIZE;
+        assert!(blocks.surface(body, corner).distance(position + orientation * compressed(corner)) < 1e-7);
+        assert!(blocks.point(body, corner).distance(position + orientation * corner) < 1e-7);
+        let edges = blocks.edges(body);
+        assert!((edges.x - 1.02 * SIZE.x).abs() < 5e-7);
+        assert!((edges.z - 0.65f64.sqrt() * SIZE.z).abs() < 5e-7);
+        let up = orientation * DVec3::Z;
+        assert!((blocks.half_extent(body, up) - 0.4 * SIZE.z).abs() < 5e-7);
+        assert!((blocks.half_extent_unstrained(body, up) - 0.5 * SIZE.z).abs() < 5e-7);
+    }
+}

@@ -2,7 +2,7 @@
 // museum share it.
 
 import type { Built, Frame } from '../engine/protocol';
-import { FRAME } from '../engine/game-protocol';
+import { FRAME, type TimedReport } from '../engine/game-protocol';
 import { Blend, Rate } from '../engine/pacing';
 import type { Hand } from '../hand/hand';
 import { ForceRing, ringState, type RingState } from '../ui/force-ring';
@@ -101,7 +101,7 @@ export class Stage {
     this.frame(first ? FIRST_AZIMUTH : undefined);
   }
 
-  receive({ poses, lattices }: Frame): void {
+  receive({ poses, lattices }: Frame<TimedReport>): void {
     this.bodies?.arrive(poses, lattices);
     this.lattices.arrive(lattices);
     this.interpolation.arrive(performance.now() / 1000);

@@ -1,13 +1,13 @@
 // Fields of the page's state.
 
-import type { Form, GripMode } from '../engine/game-protocol';
+import type { Form, GripMode, TimedReport } from '../engine/game-protocol';
 import type { BlockPreset, Built, Constant, Frame, SceneEntry, Setup } from '../engine/protocol';
 import type { Reading } from '../xray/readings';
 import type { Store } from './store';
 import type { Options } from './url';
 
 /** State that the hand, the pointers and the stage need, in the game and in the museum. */
-export interface PlayState<F extends Frame = Frame> {
+export interface PlayState<F extends Frame<TimedReport> = Frame<TimedReport>> {
   paused: boolean;
   /** Grip of the next grasp. */
   grip: GripMode;
@@ -48,7 +48,7 @@ export interface Settings {
   springs: number | null;
 }
 
-export interface PageState extends PlayState {
+export interface PageState extends PlayState<Frame> {
   settings: Settings;
   scenes: SceneEntry[];
   overlay: Overlay;

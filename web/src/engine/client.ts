@@ -1,6 +1,6 @@
 // The page's end of the worker.
 
-import type { GameCommand } from './game-protocol';
+import type { GameCommand, TimedReport } from './game-protocol';
 import type {
   Answer,
   Built,
@@ -14,7 +14,7 @@ import type {
   XRay,
 } from './protocol';
 
-export interface Listener<F extends Frame> {
+export interface Listener<F extends Frame<TimedReport>> {
   scenes(list: SceneEntry[]): void;
   built(world: Built): void;
   frame(frame: F): void;
@@ -24,7 +24,7 @@ export interface Listener<F extends Frame> {
 }
 
 /** `S` describes a world to build, `F` a frame. */
-export class Client<S = Setup, F extends Frame = Frame> {
+export class Client<S = Setup, F extends Frame<TimedReport> = Frame> {
   private readonly open = new Map<number, (value: never) => void>();
   private questions = 0;
   private commands = 0;
@@ -82,7 +82,7 @@ export class Client<S = Setup, F extends Frame = Frame> {
         this.world = message.world;
         return this.listener.built(message);
       case 'frame':
-        if (message.world === this.world) this.listener.frame(message as F);
+        if (message.world === this.world) this.listener.frame(message as Frame<TimedReport> as F);
         return;
       case 'xray':
         if (message.world === this.world) this.listener.xray?.(message);

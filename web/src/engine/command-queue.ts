@@ -3,7 +3,7 @@
 
 import type { GameCommand, Vec } from './game-protocol';
 
-const IDLE: GameCommand = { command: 'idle' };
+export const IDLE: GameCommand = { command: 'idle' };
 
 export class CommandQueue {
   private waiting: { number: number; command: GameCommand }[] = [];

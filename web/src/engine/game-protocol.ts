@@ -112,10 +112,14 @@ export type GameEvent =
 
 export type TowerState = 'standing' | 'moving' | 'fallen';
 
-/** Result of a step. Speeds in m/s, lengths in m. */
-export interface StepReport {
+/** Part that the reports of all simulators have. */
+export interface TimedReport {
   /** Simulated time, s. */
   time: number;
+}
+
+/** Result of a step. Speeds in m/s, lengths in m. */
+export interface StepReport extends TimedReport {
   awake: number;
   touching: number;
   /** Deepest overlap, m. */
@@ -127,8 +131,9 @@ export interface StepReport {
   hand: { force: Vec; torque: Vec; capped: boolean; point: Vec } | null;
 }
 
-export interface Update {
-  report: StepReport;
+/** State of a game after a step, with the report of its simulator. */
+export interface Update<R extends TimedReport = StepReport> {
+  report: R;
   hand: HandUpdate | null;
   /** Free slots for the carried block. */
   slots: Slot[];

@@ -1,6 +1,6 @@
 // Messages between the page and its worker. SI units.
 
-import type { Contact, Form, GameCommand, Update } from './game-protocol';
+import type { Contact, Form, GameCommand, StepReport, TimedReport, Update } from './game-protocol';
 
 export type BlockPreset = 'dissertation' | 'official';
 
@@ -34,11 +34,11 @@ export interface SceneEntry {
 }
 
 /** Update of a game and the arrays that go with it. */
-export interface Frame {
+export interface Frame<R extends TimedReport = StepReport> {
   type: 'frame';
   /** Number of the world that the frame belongs to. */
   world: number;
-  update: Update;
+  update: Update<R>;
   /** Number of the last command that has been applied. */
   applied: number;
   /** Seven numbers per body: position (m), orientation (x, y, z, w). */

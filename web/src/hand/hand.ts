@@ -2,7 +2,7 @@
 
 import { Quaternion, Vector3 } from 'three';
 import type { PlayStore } from '../app/state';
-import type { Contact, GameCommand, HandUpdate, Quat, Slot, Vec } from '../engine/game-protocol';
+import type { Contact, GameCommand, HandUpdate, Quat, Slot, TimedReport, Vec } from '../engine/game-protocol';
 import type { Frame } from '../engine/protocol';
 import type { Bodies } from '../view/bodies';
 import type { Orbit } from '../view/orbit';
@@ -160,7 +160,7 @@ export class Hand {
   }
 
   /** Takes a frame, which must be in the store already. */
-  receive({ applied, update }: Frame): void {
+  receive({ applied, update }: Frame<TimedReport>): void {
     if (!this.grasp || applied < this.grasp.command) return;
     if (!update.hand) this.reset();
     else this.enter(this.state.update?.(update.hand, update.slots));

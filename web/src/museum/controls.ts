@@ -87,8 +87,9 @@ export class Controls {
       setText('n-mean', `${millimetres(distance.mean)} in the mean`);
     }
     if (frame.old) {
-      const { potential, exact, collisions, rounds, active, unresolved } = frame.old;
-      setText('n-tests', `${grouped(potential)} → ${grouped(exact)} exact → ${grouped(collisions)} hits`);
+      const { tests, rounds, active, unresolved } = frame.old;
+      const [all, exact, hits] = [tests.potential, tests.after_planes, tests.collisions].map(grouped);
+      setText('n-tests', `${all} → ${exact} exact → ${hits} hits`);
       setText('n-rounds', String(rounds));
       setText('n-left', unresolved > 0 ? String(unresolved) : '');
       setText('n-disabled', `${blocks - active} of ${blocks}`);

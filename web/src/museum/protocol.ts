@@ -1,5 +1,6 @@
 // Messages between the museum and its workers, besides those of the game. SI units.
 
+import type { TimedReport } from '../engine/game-protocol';
 import type { Frame } from '../engine/protocol';
 
 /**
@@ -18,21 +19,19 @@ export interface MuseumSetup {
 }
 
 /** Work of a frame of the 2003 method. */
-export interface Report2003 {
+export interface Report2003 extends TimedReport {
   /** Largest number of rounds over the pairs in a step. */
   rounds: number;
   /** Steps that ended with collisions left. */
   unresolved: number;
-  /** Collision tests of the last step: pairs without culling, exact tests, and collisions. */
-  potential: number;
-  exact: number;
-  collisions: number;
+  /** Tests of the last step: pairs without culling, exact tests, and collisions. */
+  tests: { potential: number; after_planes: number; collisions: number };
   /** Number of blocks that are not disabled. */
   active: number;
 }
 
 /** A frame, with the poses of the tower in wood. */
-export interface MuseumFrame extends Frame {
+export interface MuseumFrame extends Frame<TimedReport> {
   /** State of the ghost; null without one. */
   ghost: { poses: Float32Array; lattices: Float32Array } | null;
   old: Report2003 | null;

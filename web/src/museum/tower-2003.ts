@@ -1,132 +1,57 @@
-// The 2003 tower as a game. It has no clock and no messages.
+// A game with the 2003 tower in wasm memory. It has no clock and no messages.
 
-import type { Contact, GameCommand, StepReport, Update, Vec } from '../engine/game-protocol';
-import { POSE_STRIDE } from '../engine/game-protocol';
-import { ControlledGame } from './control/controlled-game';
-import { graspedPoint } from './control/grasped-point';
-import type { HandTarget, Simulator } from './control/simulator';
-import { sub } from './control/vectors';
+import { POSE_STRIDE, type Contact, type GameCommand, type Update } from '../engine/game-protocol';
 import { LATTICE_STRIDE } from '../view/lattice';
-import { Space } from '../wasm/teeter_museum.js';
+import { SpaceGame } from '../wasm/teeter_museum.js';
 import type { Report2003 } from './protocol';
 
-interface SpaceReport {
-  time: number;
-  active: number;
-  touching: number;
-  max_speed: number;
-  rounds: number;
-  unresolved: number;
-  tests: { potential: number; after_planes: number; collisions: number };
-  hand: { force: Vec | null } | null;
-}
-
-/**
- * The hand of 2003 has a target for the block's centre, no orientation and no force limit: a spring
- * to the target while the block touches anything, and the block's velocity itself in the air. Its
- * force is limited here by the lead of the target.
- */
-class Simulator2003 implements Simulator {
-  readonly length: number;
-  readonly sizes: Float32Array;
-  // The particles of 2003 are the corners.
-  readonly particleOffset = 1;
-  readonly handStiffness: number;
-  report: Report2003 | null = null;
-
-  constructor(
-    readonly space: Space,
-    private readonly memory: WebAssembly.Memory,
-  ) {
-    this.length = space.length;
-    this.sizes = space.sizes();
-    this.handStiffness = space.handStiffness;
-  }
-
-  // Memory may have grown since the last view, so each one is new.
-  poses(): Float64Array {
-    return new Float64Array(this.memory.buffer, this.space.posesPtr(), this.length * POSE_STRIDE);
-  }
-
-  deformed(): Float32Array {
-    // The pointer comes first: writing the particles may let memory grow.
-    const pointer = this.space.latticesPtr();
-    return new Float32Array(this.memory.buffer, pointer, this.length * LATTICE_STRIDE);
-  }
-
-  contacts(body: number): Contact[] {
-    return JSON.parse(this.space.contacts(body)) as Contact[];
-  }
-
-  step(hand: HandTarget | null): StepReport {
-    const report = JSON.parse(this.space.step(hand ? this.centreTarget(hand) : '')) as SpaceReport;
-    const { potential, after_planes: exact, collisions } = report.tests;
-    const { rounds, unresolved, active } = report;
-    this.report = { rounds, unresolved, potential, exact, collisions, active };
-    return {
-      time: report.time,
-      awake: active,
-      touching: report.touching,
-      penetration: 0,
-      max_speed: report.max_speed,
-      quarantined: [],
-      hand: hand && {
-        force: report.hand?.force ?? [0, 0, 0],
-        torque: [0, 0, 0],
-        capped: false,
-        point: graspedPoint(this.poses(), hand.body, hand.anchor).point,
-      },
-    };
-  }
-
-  private centreTarget({ body, anchor, target }: HandTarget): string {
-    const { centre, point } = graspedPoint(this.poses(), body, anchor);
-    return JSON.stringify({ body, target: sub(target, sub(point, centre)) });
-  }
-}
-
 export class Game2003 {
-  private readonly simulator: Simulator2003;
-  private readonly control: ControlledGame;
+  private readonly game: SpaceGame;
 
   /** Throws an Error whose message is for the user. */
-  constructor(scene: string, extended: boolean, memory: WebAssembly.Memory) {
-    this.simulator = new Simulator2003(new Space(scene, extended), memory);
-    this.control = new ControlledGame(this.simulator);
+  constructor(
+    scene: string,
+    extended: boolean,
+    private readonly memory: WebAssembly.Memory,
+  ) {
+    this.game = new SpaceGame(scene, extended);
   }
 
   free(): void {
-    this.simulator.space.free();
+    this.game.free();
   }
 
-  /** Work of the last step. */
-  get report(): Report2003 | null {
-    return this.simulator.report;
-  }
-
+  /** Edge lengths, three numbers per body, m; a copy that may be transferred. */
   sizes(): Float32Array {
-    return this.simulator.sizes.slice();
+    return this.game.sizes();
   }
 
-  /** A copy that may be transferred. */
+  /** Poses, seven numbers per body; a copy that may be transferred. */
   poses(): Float32Array {
-    return Float32Array.from(this.simulator.poses());
+    const { length } = this.game;
+    // Memory may have grown since the last view, so each one is new.
+    return Float32Array.from(new Float64Array(this.memory.buffer, this.game.posesPtr(), length * POSE_STRIDE));
   }
 
-  /** A copy that may be transferred. */
+  /** Particles and springs, a copy that may be transferred. */
   lattices(): Float32Array {
-    return this.simulator.deformed().slice();
+    const { length } = this.game;
+    // The pointer comes first: writing the particles may let memory grow.
+    const pointer = this.game.latticesPtr();
+    return new Float32Array(this.memory.buffer, pointer, length * LATTICE_STRIDE).slice();
   }
 
   contacts(body: number): Contact[] {
-    return this.simulator.contacts(body);
+    return JSON.parse(this.game.contacts(body)) as Contact[];
   }
 
+  /** Returns true if the command to place the body would be carried out. */
   canPlace(body: number): boolean {
-    return this.control.canPlace(body);
+    return body < this.game.length && this.game.canPlace(body);
   }
 
-  step(command: GameCommand): Update {
-    return this.control.step(command);
+  /** Carries out a command and steps by a frame. */
+  step(command: GameCommand): Update<Report2003> {
+    return JSON.parse(this.game.step(JSON.stringify(command))) as Update<Report2003>;
   }
 }

@@ -2,9 +2,9 @@
 // together and with the same command, so the engine waits for the other one, which is much slower;
 // simulated time falls behind the clock where it must.
 
-import { CommandQueue } from '../engine/command-queue';
+import { CommandQueue, IDLE } from '../engine/command-queue';
 import { Game } from '../engine/game';
-import { FRAME, type GameCommand, type Update } from '../engine/game-protocol';
+import { FRAME, type TimedReport, type Update } from '../engine/game-protocol';
 import { Loop } from '../engine/loop';
 import { Speedometer } from '../engine/pacing';
 import type { FromWorker, Question, ToWorker } from '../engine/protocol';
@@ -12,7 +12,7 @@ import { sceneText } from '../engine/scene';
 import { errorText, guarded } from '../engine/worker-errors';
 import loadMuseum from '../wasm/teeter_museum.js';
 import loadEngine from '../wasm/teeter_wasm.js';
-import type { MuseumFrame, MuseumSetup } from './protocol';
+import type { MuseumFrame, MuseumSetup, Report2003 } from './protocol';
 import { Game2003 } from './tower-2003';
 
 /** Stiffness of the engine's contacts, N/m. */
@@ -50,23 +50,26 @@ function timed<T>(meter: Speedometer, action: () => T): T {
   return result;
 }
 
-/** Hand of the second tower after the last step: it releases its block together with the first. */
-let ghostHolds = false;
+/**
+ * True for a tower whose hand held a block after the last step: the ghost releases it together with
+ * the engine.
+ */
+let holds = { engine: false, ghost: false };
 
 function step(): void {
   const before = seconds();
-  const command = commands.next();
+  // A ghost that could not release in the step of the engine does so before the next command.
+  const command = engine && holds.ghost && !holds.engine ? IDLE : commands.next();
   const first = engine && timed(speed.engine, () => engine!.step(command));
-  const released = first !== null && !first.hand && ghostHolds;
-  const ofOld: GameCommand = released && command.command === 'idle' ? { command: 'release' } : command;
-  const second = old && timed(speed.old, () => old!.step(ofOld));
-  ghostHolds = first !== null && second?.hand != null;
+  const releases = first !== null && !first.hand && holds.ghost && command.command === 'idle';
+  const second = old && timed(speed.old, () => old!.step(releases ? { command: 'release' } : command));
+  holds = { engine: first?.hand != null, ghost: first !== null && second?.hand != null };
   const after = seconds();
   speed.all.add(after, FRAME, after - before);
-  sendFrame((first ?? second)!);
+  sendFrame((first ?? second)!, second?.report ?? null);
 }
 
-function sendFrame(update: Update): void {
+function sendFrame(update: Update<TimedReport>, report: Report2003 | null): void {
   const shown = (engine ?? old)!;
   const arrays = old && { poses: old.poses(), lattices: old.lattices() };
   const wood = engine ? { poses: engine.poses(), lattices: null } : arrays!;
@@ -81,7 +84,7 @@ function sendFrame(update: Update): void {
     factor: speed.all.factor(),
     capacity: speed.all.capacity(),
     costs: { old: old && FRAME / speed.old.capacity(), engine: engine && FRAME / speed.engine.capacity() },
-    old: old?.report ?? null,
+    old: report,
     ghost,
   };
   const sent = [wood.poses, wood.lattices, ghost?.poses, ghost?.lattices].filter(array => array != null);
@@ -116,7 +119,7 @@ function build({ world: number, setup }: { world: number; setup: MuseumSetup }):
   ({ old, engine } = next);
   world = number;
   commands.clear();
-  ghostHolds = false;
+  holds = { engine: false, ghost: false };
   const shown = (engine ?? old)!;
   send({
     type: 'built',

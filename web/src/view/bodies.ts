@@ -47,11 +47,6 @@ export class Bodies {
     this.strain.newest = lattices ? strains(lattices, poses, this.sizes, this.particleOffset) : this.none;
   }
 
-  /** True if blocks are strained in the newest state. */
-  get strained(): boolean {
-    return this.strain.newest !== this.none;
-  }
-
   /**
    * Sets the picture to fraction `t` between the older and the newer state; returns the largest
    * change, m.
@@ -129,13 +124,6 @@ export class Bodies {
     return target.setFromMatrix3(axes).scale(size).setPosition(this.position(body));
   }
 
-  /** Edge lengths after strain, m. */
-  edges(body: number, poses = this.shown): Vector3 {
-    const [x, y, z] = [new Vector3(), new Vector3(), new Vector3()];
-    this.axes(body, poses).extractBasis(x, y, z);
-    return this.size(body).multiply(new Vector3(x.length(), y.length(), z.length()));
-  }
-
   /** Height of the highest point, m. */
   top(): number {
     let top = 0;
@@ -145,16 +133,9 @@ export class Bodies {
   }
 
   /** Half the extent of a body along a unit direction of the world, m. */
-  halfExtent(body: number, direction: Vector3, poses = this.shown): number {
-    return halfExtent(this.size(body), direction.clone().applyMatrix3(this.axes(body, poses).transpose()));
+  halfExtent(body: number, direction: Vector3): number {
+    const { x, y, z } = direction.clone().applyMatrix3(this.axes(body).transpose());
+    const size = this.size(body);
+    return (Math.abs(x) * size.x + Math.abs(y) * size.y + Math.abs(z) * size.z) / 2;
   }
-
-  /** Half the extent in the newest state without strain, m. */
-  halfExtentUnstrained(body: number, direction: Vector3): number {
-    return halfExtent(this.size(body), direction.clone().applyQuaternion(this.rotation(body, this.newest).conjugate()));
-  }
-}
-
-function halfExtent(size: Vector3, local: Vector3): number {
-  return (Math.abs(local.x) * size.x + Math.abs(local.y) * size.y + Math.abs(local.z) * size.z) / 2;
 }

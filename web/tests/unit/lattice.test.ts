@@ -71,21 +71,14 @@ test('the largest displacement of a corner along an axis, and nothing without st
 
 test('the surface of a block is that of its particles, and the hand holds it by its pose', () => {
   const bodies = new Bodies(SIZES, POSE, OFFSET);
-  expect(bodies.strained).toBe(false);
   for (let i = 0; i < 2; i++) bodies.arrive(POSE, particles(COMPRESSED));
   bodies.blend(1);
-  expect(bodies.strained).toBe(true);
   const corner = SIZE.clone().multiplyScalar(0.5);
   const wanted = COMPRESSED(corner).applyQuaternion(TURN).add(AT);
   expect(bodies.surface(0, corner).distanceTo(wanted)).toBeLessThan(1e-7);
   expect(bodies.toWorld(0, corner).distanceTo(corner.clone().applyQuaternion(TURN).add(AT))).toBeLessThan(1e-7);
-  const edges = bodies.edges(0);
-  expect(edges.x).toBeCloseTo(1.02 * SIZE.x, 6);
-  expect(edges.z).toBeCloseTo(Math.hypot(0.1, 0.8) * SIZE.z, 6);
   const up = new Vector3(0, 0, 1).applyQuaternion(TURN);
   expect(bodies.halfExtent(0, up)).toBeCloseTo(0.4 * SIZE.z, 6);
-  expect(bodies.halfExtent(0, up, bodies.newest)).toBeCloseTo(0.4 * SIZE.z, 6);
-  expect(bodies.halfExtentUnstrained(0, up)).toBeCloseTo(0.5 * SIZE.z, 6);
 });
 
 test('a ray meets the compressed top where it is, and the anchor is that point in the pose', () => {
