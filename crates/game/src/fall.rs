@@ -9,6 +9,17 @@ use teeter_study::{VISIBLE_SPEED, has_dropped};
 const CARE: f64 = 1.5;
 
 /// State of a tower.
+///
+/// ```
+/// use teeter_game::{Command, Game, TowerState};
+/// use teeter_physics::{Params, World};
+///
+/// let scene = teeter_scene::named("tower").unwrap();
+/// let mut game = Game::new(World::new(&scene, Params::default())?);
+/// let update = (0..120).map(|_| game.step(&Command::Idle)).last().unwrap();
+/// assert_eq!(update.tower, TowerState::Standing);
+/// # Ok::<(), teeter_physics::BuildError>(())
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "lowercase")]
 pub enum TowerState {
@@ -21,6 +32,17 @@ pub enum TowerState {
 }
 
 /// State at the end of a frame, beside the positions.
+///
+/// ```
+/// use glam::DVec3;
+/// use teeter_game::{FallDetector, FrameEnd};
+/// use teeter_physics::BodyId;
+///
+/// // a block in the hand comes down, and that is no fall
+/// let mut detector = FallDetector::new(&[DVec3::Z]);
+/// let frame = FrameEnd { time: 0.1, max_speed: 0.5, held: Some(BodyId(0)) };
+/// assert!(detector.observe(&[DVec3::Z * 0.9], None, frame).is_empty());
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct FrameEnd {
     /// Simulated time, s.

@@ -12,6 +12,20 @@ const MAX_CHANGE: f64 = 0.005;
 const MAX_RELATIVE_CHANGE: f64 = 0.02;
 
 /// Motion of a tower in a frame.
+///
+/// ```
+/// use teeter_game::{BlockForm, Motion, RestDetector};
+/// use teeter_scene::Form;
+///
+/// // a held block is no rest, however slow
+/// let form = BlockForm { form: Form::Rigid, spring_stiffness: 1e6 };
+/// let motion = Motion { max_speed: 0.0, held: true, form };
+/// let mut detector = RestDetector::default();
+/// for _ in 0..60 {
+///     detector.advance(motion, || Some(vec![0.2]));
+/// }
+/// assert!(!detector.at_rest());
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Motion {
     /// Speed of the fastest body, m/s.

@@ -9,6 +9,18 @@ use teeter_study::xray;
 use crate::stiffness_ramp::BlockForm;
 
 /// Result of a frame.
+///
+/// ```
+/// use teeter_game::Simulator;
+/// use teeter_physics::{Params, World};
+///
+/// let scene = teeter_scene::named("block").unwrap();
+/// let mut world = World::new(&scene, Params::default())?;
+/// let outcome = Simulator::step(&mut world, None);
+/// assert_eq!(outcome.hand_force, glam::DVec3::ZERO);
+/// assert!(outcome.max_speed < 0.1 && outcome.report.awake == 1);
+/// # Ok::<(), teeter_physics::BuildError>(())
+/// ```
 #[derive(Debug, Clone, PartialEq)]
 pub struct StepOutcome<R> {
     /// Report of the simulator, for the page.

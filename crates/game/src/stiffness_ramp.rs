@@ -16,6 +16,17 @@ const FACTOR: f64 = 1.06;
 const FIRM: f64 = 1e6;
 
 /// Form of the blocks and stiffness of the springs within them.
+///
+/// ```
+/// use teeter_game::{BlockForm, Simulator};
+/// use teeter_physics::{Params, World};
+/// use teeter_scene::Form;
+///
+/// let world = World::new(&teeter_scene::named("block").unwrap(), Params::default())?;
+/// let form: BlockForm = world.block_form();
+/// assert_eq!(form.form, Form::Rigid);
+/// # Ok::<(), teeter_physics::BuildError>(())
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub struct BlockForm {
     /// Rigid or lattice.

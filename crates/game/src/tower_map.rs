@@ -28,6 +28,14 @@ const FLAT: f64 = 0.98;
 const CELLS: usize = 3;
 
 /// Cell of a row.
+///
+/// ```
+/// use teeter_game::CellId;
+///
+/// let cell: CellId = serde_json::from_str(r#"{"row": 17, "cell": 2}"#)?;
+/// assert_eq!(cell, CellId { row: 17, cell: 2 });
+/// # Ok::<(), serde_json::Error>(())
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct CellId {
@@ -38,6 +46,19 @@ pub struct CellId {
 }
 
 /// Free cell on top of the tower.
+///
+/// ```
+/// use teeter_game::Game;
+/// use teeter_physics::{BodyId, Params, World};
+///
+/// // on a full tower of 18 rows a new row begins
+/// let scene = teeter_scene::named("tower").unwrap();
+/// let game = Game::new(World::new(&scene, Params::default())?);
+/// let slots = game.slots(BodyId(0));
+/// assert_eq!(slots.len(), 3);
+/// assert!(slots.iter().all(|slot| slot.id().row == 18 && slot.position.z > 0.32));
+/// # Ok::<(), teeter_physics::BuildError>(())
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub struct Slot {
     /// Row, from 0 at the bottom.

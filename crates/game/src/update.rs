@@ -47,6 +47,22 @@ pub struct Update<R> {
 }
 
 /// The hand and the block in it.
+///
+/// ```
+/// use glam::DVec3;
+/// use teeter_game::{Command, Game, GripMode, HandState, HoldGrip};
+/// use teeter_physics::{BodyId, Params, World};
+///
+/// let scene = teeter_scene::named("tower").unwrap();
+/// let mut game = Game::new(World::new(&scene, Params::default())?);
+/// let (body, anchor) = (BodyId(4), DVec3::new(0.0405, 0.0, 0.0));
+/// let normal = game.blocks().orientation(body) * DVec3::X;
+/// let grasp = Command::Grasp { body, anchor, normal, grip: GripMode::Auto };
+/// let hand: HandState = game.step(&grasp).hand.unwrap();
+/// // a block with others on top slides
+/// assert_eq!((hand.body, hand.grip, hand.placing), (body, HoldGrip::Slide, false));
+/// # Ok::<(), teeter_physics::BuildError>(())
+/// ```
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct HandState {
     /// The block.

@@ -25,6 +25,13 @@ pub enum GripMode {
 }
 
 /// Present grip.
+///
+/// ```
+/// use teeter_game::HoldGrip;
+///
+/// assert_eq!(serde_json::to_string(&HoldGrip::Carry)?, r#""carry""#);
+/// # Ok::<(), serde_json::Error>(())
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "lowercase")]
 pub enum HoldGrip {

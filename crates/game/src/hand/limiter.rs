@@ -13,6 +13,18 @@ use crate::orientation::angle_between;
 const MAX_SPIN: f64 = 3.0;
 
 /// Goal of the hand and limits of its target.
+///
+/// ```
+/// use glam::{DQuat, DVec3};
+/// use teeter_game::{LimitedGoal, TargetLimiter};
+///
+/// // the target stays within its lead of the grasped point
+/// let mut limiter = TargetLimiter::new(DVec3::ZERO, DQuat::IDENTITY);
+/// let (position, orientation) = (DVec3::X, None);
+/// let goal = LimitedGoal { position, orientation, max_speed: 10.0, max_lead: 0.03 };
+/// limiter.advance(&goal, DVec3::ZERO, false, 0.02);
+/// assert!((limiter.position().x - 0.03).abs() < 1e-12);
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct LimitedGoal {
     /// Position wanted for the grasped point, m.

@@ -23,6 +23,17 @@ const TRAVEL_SPEED: f64 = 0.3;
 const LOWERING_SPEED: f64 = 0.04;
 
 /// Stage of a placement.
+///
+/// ```
+/// use glam::{DQuat, DVec3};
+/// use teeter_game::{Slot, Stage, waypoint};
+///
+/// let (position, orientation) = (DVec3::Z * 0.3, DQuat::IDENTITY);
+/// let slot = Slot { row: 18, cell: 1, position, orientation, clearance: 0.02 };
+/// let stage = |centre| waypoint(centre, orientation, &slot, true).stage;
+/// assert_eq!(stage(DVec3::new(0.1, 0.0, 0.32)), Stage::Cross);
+/// assert_eq!(stage(DVec3::new(0.0, 0.0, 0.32)), Stage::Lower);
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Stage {
     /// Up beside the tower.
@@ -34,6 +45,17 @@ pub enum Stage {
 }
 
 /// Next point of the path.
+///
+/// ```
+/// use glam::{DQuat, DVec3};
+/// use teeter_game::{Slot, Waypoint, waypoint};
+///
+/// let (position, orientation) = (DVec3::Z * 0.3, DQuat::IDENTITY);
+/// let slot = Slot { row: 18, cell: 1, position, orientation, clearance: 0.02 };
+/// let Waypoint { centre, max_speed, .. } = waypoint(position, orientation, &slot, true);
+/// // the last stage is slow and goes on until contact stops it
+/// assert!(centre.z < position.z && max_speed < 0.05);
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Waypoint {
     /// Position wanted for the centre, m.
