@@ -11,6 +11,20 @@ use teeter_study::LimitError;
 use crate::score::LabelledError;
 
 /// Error of measuring or of writing a report.
+///
+/// ```
+/// # use teeter_report::Error;
+/// # use teeter_scene::named;
+/// # use teeter_study::RigidTower;
+/// fn top(name: &str) -> Result<f64, Error> {
+///     let scene = named(name).ok_or_else(|| Error::UnknownScene(name.into()))?;
+///     Ok(RigidTower::new(&scene)?.top()?)
+/// }
+///
+/// assert_eq!(top("castle").unwrap_err().to_string(), "there is no scene `castle`");
+/// assert!(matches!(top("test-4"), Err(Error::Exact(_))));
+/// assert!(top("block").is_ok());
+/// ```
 #[derive(Debug, thiserror::Error)]
 pub enum Error {
     /// A built-in scene that the engine refuses.

@@ -18,6 +18,19 @@ const MAX_TUNNEL: f64 = 5e-3;
 const MIN_MOVED: f64 = 0.02;
 
 /// Record of a collapse.
+///
+/// ```
+/// # use glam::DVec3;
+/// # use teeter_physics::{BodyId, Params};
+/// # use teeter_study::{PILE_SPEED, collapse, settled};
+/// let scene = teeter_scene::named("column").unwrap();
+/// let world = settled(&scene, Params { frame: 1.0 / 240.0, ..Params::default() })?;
+/// // the top block alone is torn off
+/// let record = collapse(&world, &[BodyId(9)], DVec3::X, 0.5);
+/// assert!(record.moved == 1 && record.deepest_mm < 0.1 && record.lasting_s == 0.0);
+/// assert!(record.speed_at_end < PILE_SPEED && record.quiet_s.is_some());
+/// # Ok::<(), teeter_physics::BuildError>(())
+/// ```
 #[derive(Debug, Clone, Copy, Default, PartialEq, Serialize)]
 pub struct Collapse {
     /// Largest penetration of two blocks, or of one and the floor, at the end of any frame, mm.

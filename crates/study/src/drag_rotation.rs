@@ -7,6 +7,21 @@ use teeter_physics::{BodyId, Grip, Hand, Input, World};
 const FORCE: f64 = 20.0;
 
 /// Straight motion of a hand.
+///
+/// ```
+/// # use teeter_physics::{BodyId, Params};
+/// # use teeter_scene::{TowerOptions, config};
+/// # use teeter_study::{Drag, drag_rotation, long_axis, settled};
+/// let scene = config("(101)-(010)", &TowerOptions::exact()).unwrap();
+/// let world = settled(&scene, Params::default())?;
+/// let drag = Drag { axis: long_axis(&scene.blocks[0]).extend(0.0), distance: 1e-3, speed: 5e-3 };
+/// let rotation = |drag| drag_rotation(&world, BodyId(0), &[BodyId(2)], drag);
+/// let forward = rotation(&drag);
+/// // the opposite drag turns the block across in the opposite sense
+/// let backward = rotation(&Drag { axis: -drag.axis, ..drag });
+/// assert!(forward > 1.0 && (backward / forward + 1.0).abs() < 0.01);
+/// # Ok::<(), teeter_physics::BuildError>(())
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Drag {
     /// Direction, a level unit vector.

@@ -16,6 +16,19 @@ const MAX_TIME: f64 = 5.0;
 const LOWERING: f64 = 0.5;
 
 /// Outcome of a block released above a tower.
+///
+/// ```
+/// # use teeter_physics::{BodyId, Params, World};
+/// # use teeter_scene::{Block, TowerOptions, config};
+/// # use teeter_study::drop_block;
+/// let mut scene = config("(111)-(111)", &TowerOptions::exact()).unwrap();
+/// // beside the tower: the block ends on the floor
+/// scene.blocks.push(Block { id: 6, pos: [0.0, 0.2, 0.07], ..scene.blocks[0].clone() });
+/// let dropped = drop_block(World::new(&scene, Params::default())?, BodyId(6), 0.01);
+/// assert!(!dropped.stays && dropped.aside_mm < 1.0 && dropped.rest_s.is_some());
+/// assert!(dropped.others_after_mm <= dropped.others_mm && dropped.others_mm < 0.01);
+/// # Ok::<(), teeter_physics::BuildError>(())
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 pub struct DroppedBlock {
     /// Largest displacement of any other block at any time, mm.

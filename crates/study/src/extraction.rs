@@ -16,6 +16,19 @@ const MAX_LAG: f64 = 10e-3;
 const HOLD: f64 = 1.0;
 
 /// Outcome of an extraction.
+///
+/// ```
+/// # use glam::DVec3;
+/// # use teeter_physics::{BodyId, Params};
+/// # use teeter_study::{extract, settled};
+/// let scene = teeter_scene::named("block").unwrap();
+/// let block = settled(&scene, Params::default())?;
+/// let extraction = extract(&block, BodyId(0), DVec3::X, 0.05);
+/// assert!(extraction.out && !extraction.fell && extraction.others_mm == 0.0);
+/// // the hand overcomes friction
+/// assert!(extraction.force_n > scene.friction * scene.blocks[0].mass * scene.gravity);
+/// # Ok::<(), teeter_physics::BuildError>(())
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 pub struct Extraction {
     /// True when the block came out.

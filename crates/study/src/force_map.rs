@@ -16,6 +16,17 @@ use crate::xray::{Load, xray};
 const AGREEMENT: f64 = 0.01;
 
 /// Forces of a block.
+///
+/// ```
+/// # use teeter_physics::Params;
+/// # use teeter_scene::{TowerOptions, config};
+/// let scene = config("(1L1)-(010)", &TowerOptions::exact()).unwrap();
+/// let loose = &teeter_study::force_map(&scene, Params::default(), || ())?[1];
+/// assert!(loose.id == 1 && loose.is_generic() && loose.load.is_loose());
+/// let exact = loose.exact.unwrap().straight_n;
+/// assert!(loose.both().into_iter().flatten().all(|force| (force / exact - 1.0).abs() < 0.01));
+/// # Ok::<(), teeter_physics::BuildError>(())
+/// ```
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct BlockForces {
     /// Id of the block.

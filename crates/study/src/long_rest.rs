@@ -9,6 +9,18 @@ use crate::reference_positions::ReferencePositions;
 const INTERVAL: f64 = 60.0;
 
 /// Record of a long rest, sampled every minute and at the end.
+///
+/// ```
+/// # use teeter_physics::Params;
+/// # use teeter_study::{long_rest, settled};
+/// let scene = teeter_scene::named("block").unwrap();
+/// let world = settled(&scene, Params { sleep: false, ..Params::default() })?;
+/// let rest = long_rest(world.clone(), 2.0, scene.gravity, || ());
+/// assert!(rest.seconds == 2.0 && rest.kinetic_j < 1e-12);
+/// // the same world rests in the same bits
+/// assert_eq!(rest, long_rest(world, 2.0, scene.gravity, || ()));
+/// # Ok::<(), teeter_physics::BuildError>(())
+/// ```
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct LongRest {
     /// Simulated time, s.

@@ -31,6 +31,19 @@ const UNIT: f64 = 3e-2;
 const PENALTY: f64 = 1e7;
 
 /// Distribution of the friction of a patch.
+///
+/// ```
+/// # use teeter_scene::{TowerOptions, config};
+/// # use teeter_study::{RigidTower, Spread, mechanism};
+/// let scene = config("(101)-(010)", &TowerOptions::exact()).unwrap();
+/// let tower = RigidTower::new(&scene)?;
+/// let force = |spread| mechanism(&tower, 0, spread).unwrap().force_n;
+/// let mesh = force(Spread::Mesh(4));
+/// // friction at the corners overestimates the resistance to turning
+/// assert!(force(Spread::Corners) > 1.05 * mesh);
+/// assert!((force(Spread::ScaledCorners) / mesh - 1.0).abs() < 0.01);
+/// # Ok::<(), teeter_study::LimitError>(())
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Spread {
     /// At the corners.
@@ -43,6 +56,18 @@ pub enum Spread {
 }
 
 /// Motion at its start.
+///
+/// ```
+/// # use teeter_scene::{TowerOptions, config};
+/// # use teeter_study::{RigidTower, Spread, mechanism};
+/// let scene = config("(101)-(010)", &TowerOptions::exact()).unwrap();
+/// let tower = RigidTower::new(&scene)?;
+/// let motion = mechanism(&tower, 0, Spread::ScaledCorners).unwrap();
+/// // one end of the block across goes along: it turns, with less force than straight sliding
+/// assert!((motion.velocities[0].x - 1.0).abs() < 1e-6 && motion.velocities[2].z > 10.0);
+/// assert!(motion.force_n < 0.9 * tower.straight_force(0));
+/// # Ok::<(), teeter_study::LimitError>(())
+/// ```
 #[derive(Debug, Clone, PartialEq)]
 pub struct Mechanism {
     /// Force that starts it, N.

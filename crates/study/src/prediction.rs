@@ -11,6 +11,21 @@ use crate::reference_positions::ReferencePositions;
 const DURATION: f64 = 5.0;
 
 /// Prediction for one scene.
+///
+/// ```
+/// # use teeter_physics::Params;
+/// # use teeter_scene::{Scene, named};
+/// # use teeter_study::{Prediction, predict};
+/// let fall = predict(&named("test-4").unwrap(), Params::default())?;
+/// assert_eq!(fall, Prediction::Config { name: "test-4".into(), fell: true });
+///
+/// let scene = Scene { tilt_az: Some(0.0), ..named("block").unwrap() };
+/// let tilt = predict(&scene, Params { sleep: false, ..Params::default() })?;
+/// let Prediction::Tilt { tilt_deg: Some(angle), .. } = tilt else { panic!("no angle") };
+/// // the block slides at the angle of friction
+/// assert!((angle - scene.friction.atan().to_degrees()).abs() < 0.1);
+/// # Ok::<(), teeter_physics::BuildError>(())
+/// ```
 #[derive(Debug, Clone, PartialEq, Serialize)]
 #[serde(untagged)]
 pub enum Prediction {

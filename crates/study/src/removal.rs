@@ -15,6 +15,17 @@ use crate::settle::SETTLE_TIME;
 const DURATION: f64 = 5.0;
 
 /// Outcome of a removal.
+///
+/// ```
+/// # use teeter_physics::Params;
+/// # use teeter_scene::{TowerOptions, config};
+/// let scene = config("(111)-(111)", &TowerOptions::exact()).unwrap();
+/// // the outer blocks of the lower row bear the upper one
+/// let removal = teeter_study::remove(&scene, 1, Params::default())?;
+/// assert_eq!((removal.id, removal.fell, removal.exact_fell), (1, false, Some(false)));
+/// assert!(removal.lean_mm < 0.01 && removal.creep_mm < 0.01);
+/// # Ok::<(), teeter_physics::BuildError>(())
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 pub struct Removal {
     /// Id of the block.

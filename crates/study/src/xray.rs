@@ -10,6 +10,19 @@ const MIN_LOAD: f64 = 1e-3;
 const MIN_VERTICAL: f64 = 0.7;
 
 /// Load of a block.
+///
+/// ```
+/// # use teeter_physics::Params;
+/// # use teeter_study::{settled, xray};
+/// let scene = teeter_scene::named("column").unwrap();
+/// let weight = scene.blocks[0].mass * scene.gravity;
+/// let load = xray(&settled(&scene, Params::default())?, scene.friction)[0];
+/// assert!((load.below_n / (10.0 * weight) - 1.0).abs() < 1e-3);
+/// assert!((load.above_n / (9.0 * weight) - 1.0).abs() < 1e-3);
+/// // the blocks above go along: friction acts on the lower face alone
+/// assert!((load.tightness_n / (scene.friction * load.below_n) - 1.0).abs() < 1e-9);
+/// # Ok::<(), teeter_physics::BuildError>(())
+/// ```
 #[derive(Debug, Clone, Copy, Default, PartialEq, Serialize)]
 pub struct Load {
     /// Normal force on the lower face, N.

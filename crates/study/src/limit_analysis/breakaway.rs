@@ -12,6 +12,19 @@ use crate::plan::{bottom, center, convex_hull, distance_to_edge, long_axis};
 const AGREEMENT: f64 = 0.01;
 
 /// Exact forces that start a block sliding along its long axis, the same forwards and backwards.
+///
+/// ```
+/// # use teeter_study::RigidTower;
+/// let mut scene = teeter_scene::named("column").unwrap();
+/// let top = RigidTower::new(&scene)?.breakaway(9)?;
+/// // nothing lies on the top block, so nothing turns
+/// assert!(top.is_exact() && top.straight_n == top.turning_n);
+///
+/// scene.friction = 3.0;
+/// let rough = RigidTower::new(&scene)?.breakaway(9)?;
+/// assert!(rough.rocks() && rough.tipping_n == top.tipping_n);
+/// # Ok::<(), teeter_study::LimitError>(())
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 pub struct Breakaway {
     /// Force if the blocks above can slide on the block or go along, but not turn, N.

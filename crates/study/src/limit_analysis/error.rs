@@ -1,6 +1,14 @@
 //! Errors of limit analysis.
 
 /// Error of limit analysis.
+///
+/// ```
+/// # use teeter_study::{LimitError, RigidTower};
+/// let scene = teeter_scene::named("test-4").unwrap();
+/// let error = RigidTower::new(&scene).unwrap_err();
+/// assert_eq!(error, LimitError::NoEquilibrium);
+/// assert_eq!(error.to_string(), "rigid blocks do not rest like this: the tower falls");
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq, Eq, thiserror::Error)]
 pub enum LimitError {
     /// No forces hold every block in equilibrium.
