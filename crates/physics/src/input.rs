@@ -132,6 +132,8 @@ impl Hand {
     /// Maximum force of a careful hand, N: with less a tower of 10 N can only be tipped near its
     /// top.
     pub const DEFAULT_FORCE: f64 = 4.0;
+    /// Upper limit of the force of any hand, N: a step clamps larger ones.
+    pub const MAX_FORCE: f64 = 50.0;
     /// Maximum torque of a careful hand, N m: twice what holds a block level by its end.
     pub const DEFAULT_TORQUE: f64 = 0.02;
 

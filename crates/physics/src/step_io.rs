@@ -7,9 +7,6 @@ use crate::input::{Grip, Hand, Input};
 use crate::report::StepReport;
 use crate::world::World;
 
-/// Upper limit of a hand's force, N, whatever the input asks for.
-const MAX_HAND_FORCE: f64 = 50.0;
-
 impl World {
     /// Returns the input without its invalid parts: unknown or quarantined bodies, numbers that are
     /// not finite, negative limits.
@@ -21,7 +18,7 @@ impl World {
         input.drives.retain(|d| known(d.body) && d.velocity.is_finite() && d.max_force >= 0.0);
         input.hand = input.hand.filter(|h| known(h.body) && !self.is_quarantined(h.body) && is_valid(h));
         if let Some(hand) = &mut input.hand {
-            hand.max_force = hand.max_force.min(MAX_HAND_FORCE);
+            hand.max_force = hand.max_force.min(Hand::MAX_FORCE);
             hand.orientation = hand.orientation.map(|q| q.normalize());
             if let Grip::Push { axis } = &mut hand.grip {
                 *axis = axis.normalize_or_zero();

@@ -16,11 +16,6 @@ use crate::orientation::{angle_between, nearest_alike};
 use crate::simulator::Simulator;
 use crate::tower_map::{CellId, Slot, TowerMap};
 
-/// Largest torque of the hand, N m: holds a block level by its end.
-const MAX_TORQUE: f64 = 0.02;
-/// Default and largest force of the hand, N.
-const DEFAULT_FORCE: f64 = 4.0;
-const MAX_FORCE: f64 = 50.0;
 /// Largest speed of the target of a careful hand, m/s.
 const CAREFUL_SPEED: f64 = 0.03;
 /// Largest displacement of the goal in a frame, m.
@@ -88,7 +83,7 @@ pub struct HandController {
 impl HandController {
     /// An empty hand. `can_turn` is false for one that cannot rotate a block.
     pub fn new(can_turn: bool) -> Self {
-        Self { max_force: DEFAULT_FORCE, is_careful: false, can_turn, hold: None, slots: Vec::new() }
+        Self { max_force: Hand::DEFAULT_FORCE, is_careful: false, can_turn, hold: None, slots: Vec::new() }
     }
 
     /// The block in the hand.
@@ -224,7 +219,7 @@ impl HandController {
         grip: Option<GripMode>,
     ) -> Result<(), Refusal> {
         if let Some(force) = max_force {
-            check("max_force", force, (0.0..=MAX_FORCE).contains(&force), "0 to 50 N")?;
+            check("max_force", force, (0.0..=Hand::MAX_FORCE).contains(&force), "0 to 50 N")?;
             self.max_force = force;
         }
         self.is_careful = careful.unwrap_or(self.is_careful);
@@ -254,7 +249,7 @@ impl HandController {
             orientation: goal.orientation.map(|_| hold.limiter.orientation()),
             grip: hold.grip.to_physics(hold.axis),
             max_force,
-            max_torque: MAX_TORQUE,
+            max_torque: Hand::DEFAULT_TORQUE,
         })
     }
 
