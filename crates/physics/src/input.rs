@@ -241,6 +241,7 @@ impl From<Hand> for HandRecord {
 /// // half of what friction of 0.4 holds: the block stays
 /// let mut world = World::new(&teeter_scene::named("block").unwrap(), Params::default())?;
 /// let body = BodyId(0);
+/// world.run_for(1.0);
 /// let force = DVec3::X * (0.5 * 0.4 * world.mass(body) * 9.81);
 /// let before = world.pose(body).position.x;
 /// world.run_with(1.0, &Input::force(AppliedForce::at_center(body, force)));
