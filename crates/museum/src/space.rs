@@ -12,7 +12,6 @@ use teeter_dissertation::jenga3d::counters::Counters;
 use teeter_dissertation::jenga3d::{Constants, Disabling, Hand, HandMode, Jenga3D};
 use teeter_scene::Scene;
 use teeter_wasm_support::Error;
-use wasm_bindgen::prelude::*;
 
 pub use game::SpaceGame;
 use loads::Loads;
@@ -28,7 +27,6 @@ use views::Views;
 /// let report = space.step(r#"{"body": 9, "target": [0, 0, 0.3]}"#).expect("a valid hand");
 /// assert!(report.contains("\"active\":"));
 /// ```
-#[wasm_bindgen]
 #[derive(Debug)]
 pub struct Space {
     jenga: Jenga3D,
@@ -74,7 +72,6 @@ struct HandReport {
     force: Option<[f64; 3]>,
 }
 
-#[wasm_bindgen]
 impl Space {
     /// Creates the blocks of a scene (JSON) with the default constants.
     ///
@@ -83,7 +80,6 @@ impl Space {
     ///
     /// # Errors
     /// Names the invalid block and field of the scene.
-    #[wasm_bindgen(constructor)]
     pub fn new(scene: &str, future: bool) -> Result<Space, Error> {
         let scene = Scene::from_json(scene).map_err(Error::rejected)?;
         let default = Constants { friction: scene.friction, gravity: scene.gravity, ..Constants::default() };
@@ -126,7 +122,6 @@ impl Space {
     ///
     /// Seven doubles a block: position (m) and orientation (x, y, z, w) of the rigid block nearest
     /// to the particles. Any later call may move them, so the view must be recreated.
-    #[wasm_bindgen(js_name = posesPtr)]
     pub fn poses_ptr(&self) -> *const f64 {
         self.views.poses.as_ptr()
     }
@@ -138,14 +133,12 @@ impl Space {
     /// is positive; between particles 0 and 1, 0 and 2, ... 6 and 7). Bit k of a particle's number
     /// is its side along axis k of the block. Any later call may move them, so the view must be
     /// recreated.
-    #[wasm_bindgen(js_name = latticesPtr)]
     pub fn lattices_ptr(&mut self) -> *const f32 {
         self.views.write_lattices(&self.jenga, &mut self.lattices);
         self.lattices.as_ptr()
     }
 
     /// Number of blocks.
-    #[wasm_bindgen(getter)]
     pub fn length(&self) -> usize {
         self.views.halves.len()
     }
@@ -172,7 +165,6 @@ impl Space {
     }
 
     /// Stiffness of the hand, N/m.
-    #[wasm_bindgen(getter, js_name = handStiffness)]
     pub fn hand_stiffness(&self) -> f64 {
         self.jenga.constants.hand_stiffness
     }
