@@ -101,19 +101,15 @@ pub struct Bodies {
 }
 
 impl Bodies {
-    /// Blocks of a scene, at rest.
+    /// Blocks of a scene.
     pub fn new(scene: &Scene) -> Self {
         let n = scene.blocks.len();
         let position: Vec<DVec3> = scene.blocks.iter().map(|b| b.pos.into()).collect();
-        let orientation: Vec<DQuat> = scene
-            .blocks
-            .iter()
-            .map(|b| DQuat::from_xyzw(0.0, 0.0, libm::sin(b.yaw / 2.0), libm::cos(b.yaw / 2.0)).normalize())
-            .collect();
+        let orientation: Vec<DQuat> = scene.blocks.iter().map(|b| DQuat::from_array(b.rotation())).collect();
         let poses: Vec<_> = position.iter().copied().zip(orientation.iter().copied()).collect();
         Self {
-            velocity: vec![DVec3::ZERO; n],
-            spin: vec![DVec3::ZERO; n],
+            velocity: scene.blocks.iter().map(|b| b.velocity.into()).collect(),
+            spin: scene.blocks.iter().map(|b| b.spin.into()).collect(),
             acceleration: vec![0.0; n],
             margin: vec![0.0; n],
             detection_pose: poses.clone(),

@@ -48,7 +48,7 @@ fn both_formats() -> [Params; 2] {
 #[test]
 fn a_fast_block_from_outside_hits_the_tower_and_penetrates_nothing() {
     let (mut scene, _) = two(1.0);
-    scene.blocks.push(Block { id: 99, size: SIZE, mass: MASS, pos: [0.6, 0.0, 0.05], yaw: 1.0 });
+    scene.blocks.push(Block { yaw: 1.0, ..Block::new(99, SIZE, MASS, [0.6, 0.0, 0.05]) });
     for speed in [0.5, 3.0, 12.0] {
         let mut world = World::new(&scene, Params::default()).unwrap();
         run(&mut world, 0.4, &Input { gravity: Some(DVec3::ZERO), ..Input::default() });

@@ -31,7 +31,7 @@ fn any_scene() -> impl Strategy<Value = Scene> {
             (scene.form, scene.springs) = form;
             for (i, (size, mass, [x, y], yaw)) in loose.into_iter().enumerate() {
                 let pos = [x, y, 0.25 + 0.09 * i as f64];
-                scene.blocks.push(Block { id: 1000 + i as u32, size, mass, pos, yaw });
+                scene.blocks.push(Block { yaw, ..Block::new(1000 + i as u32, size, mass, pos) });
             }
             scene
         },

@@ -99,16 +99,8 @@ fn sleep_never_stops_a_slow_fall() {
     // A block on its end, out of balance by 10 um at the top, stays below 0.05 m/s for most of a
     // second.
     let half = 0.0405;
-    let scene = Scene {
-        blocks: vec![teeter_scene::Block {
-            id: 0,
-            size: [0.002, 0.0268, 0.081],
-            mass: 0.002,
-            pos: [0.0, 0.0, half],
-            yaw: 0.0,
-        }],
-        ..one()
-    };
+    let scene =
+        Scene { blocks: vec![teeter_scene::Block::new(0, [0.002, 0.0268, 0.081], 0.002, [0.0, 0.0, half])], ..one() };
     let mut world = World::new(&scene, Params::default()).unwrap();
     // Slightly beyond the edge of its base.
     let lean = 0.001 / half + 2e-4;

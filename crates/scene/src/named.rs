@@ -150,6 +150,7 @@ fn scene_of(blocks: Vec<Block>) -> Scene {
         kinetic_friction: None,
         restitution: WOOD_RESTITUTION,
         stiffness: default_stiffness(),
+        edge_radius: 0.0,
         form: Form::default(),
         springs: Springs::default(),
         blocks,
@@ -161,7 +162,7 @@ fn scene_of(blocks: Vec<Block>) -> Scene {
 
 fn nominal(id: u32, pos: [f64; 3], yaw: f64) -> Block {
     let preset = BlockPreset::Dissertation;
-    Block { id, size: preset.size(), mass: preset.mass(), pos, yaw }
+    Block { yaw, ..Block::new(id, preset.size(), preset.mass(), pos) }
 }
 
 /// Stack of `n` blocks, all along x.

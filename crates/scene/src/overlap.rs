@@ -56,7 +56,7 @@ fn prism_depth(a: &Prism, b: &Prism) -> f64 {
 /// ```
 /// use teeter_scene::{Block, overlap};
 ///
-/// let a = Block { id: 0, size: [0.08, 0.03, 0.02], mass: 0.02, pos: [0.0, 0.0, 0.01], yaw: 0.0 };
+/// let a = Block::new(0, [0.08, 0.03, 0.02], 0.02, [0.0, 0.0, 0.01]);
 /// let b = Block { id: 1, pos: [0.0, 0.0, 0.029], ..a.clone() };
 /// assert!((overlap::depth(&a, &b) - 0.001).abs() < 1e-12);
 /// ```

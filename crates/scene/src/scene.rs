@@ -5,14 +5,17 @@ use serde::{Deserialize, Serialize};
 
 use crate::form::{Form, Springs};
 
-/// Block: a uniform cuboid, upright, turned about the vertical by `yaw`.
+/// Block: a uniform cuboid.
 ///
 /// ```
 /// use teeter_scene::{Block, BlockPreset};
 ///
 /// let preset = BlockPreset::Dissertation;
-/// let block = Block { id: 0, size: preset.size(), mass: preset.mass(), pos: [0.0, 0.0, 0.009], yaw: 0.0 };
+/// let block = Block::new(0, preset.size(), preset.mass(), [0.0, 0.0, 0.009]);
 /// assert_eq!(block.pos[2], 0.5 * block.size[2]); // on the floor
+/// assert_eq!(block.rotation(), [0.0, 0.0, 0.0, 1.0]);
+/// let sliding = Block { yaw: 0.1, velocity: [0.5, 0.0, 0.0], ..block };
+/// assert!((sliding.rotation()[2] - 0.05).abs() < 1e-4);
 /// ```
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct Block {
@@ -24,9 +27,41 @@ pub struct Block {
     pub mass: f64,
     /// Position of the centre, m.
     pub pos: [f64; 3],
-    /// Rotation about the vertical through the centre, rad.
+    /// Rotation about the vertical through the centre, rad; zero where `orientation` is given.
     #[serde(default)]
     pub yaw: f64,
+    /// Orientation as a unit quaternion x, y, z, w, for a block that does not stand upright.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub orientation: Option<[f64; 4]>,
+    /// Velocity of the centre at the start, m/s.
+    #[serde(default, skip_serializing_if = "is_zero")]
+    pub velocity: [f64; 3],
+    /// Angular velocity at the start, in the world, rad/s.
+    #[serde(default, skip_serializing_if = "is_zero")]
+    pub spin: [f64; 3],
+    /// The block never moves, as the edge of a table.
+    #[serde(default, skip_serializing_if = "is_false")]
+    pub fixed: bool,
+    /// Coefficient of static friction of the block; that of the scene where absent. A contact has
+    /// the geometric mean of its two bodies.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub friction: Option<f64>,
+}
+
+impl Block {
+    /// Returns an upright block at rest: edge lengths (m), mass (kg), and position of the centre
+    /// (m).
+    pub fn new(id: u32, size: [f64; 3], mass: f64, pos: [f64; 3]) -> Self {
+        let (velocity, spin) = ([0.0; 3], [0.0; 3]);
+        Self { id, size, mass, pos, yaw: 0.0, orientation: None, velocity, spin, fixed: false, friction: None }
+    }
+
+    /// Returns the orientation as a quaternion x, y, z, w of unit length.
+    pub fn rotation(&self) -> [f64; 4] {
+        let q = self.orientation.unwrap_or([0.0, 0.0, libm::sin(self.yaw / 2.0), libm::cos(self.yaw / 2.0)]);
+        let inv = 1.0 / (q[0] * q[0] + q[1] * q[1] + q[2] * q[2] + q[3] * q[3]).sqrt();
+        q.map(|x| x * inv)
+    }
 }
 
 /// Blocks on a floor, and the constants of their contact.
@@ -59,6 +94,9 @@ pub struct Scene {
     /// number of substeps to its square root.
     #[serde(default = "default_stiffness")]
     pub stiffness: f64,
+    /// Radius of the edges of all blocks, m; 0 for sharp ones.
+    #[serde(default, skip_serializing_if = "is_sharp")]
+    pub edge_radius: f64,
     /// Form of the blocks.
     #[serde(default, skip_serializing_if = "is_rigid")]
     pub form: Form,
@@ -84,6 +122,18 @@ impl Scene {
     pub fn spring_stiffness(&self) -> f64 {
         self.springs.stiffness.unwrap_or(self.stiffness)
     }
+}
+
+fn is_zero(x: &[f64; 3]) -> bool {
+    *x == [0.0; 3]
+}
+
+fn is_false(x: &bool) -> bool {
+    !x
+}
+
+fn is_sharp(radius: &f64) -> bool {
+    *radius == 0.0
 }
 
 fn is_rigid(form: &Form) -> bool {

@@ -192,7 +192,8 @@ fn build(name: &str, rows: &[[Cell; 3]], options: &TowerOptions) -> Result<Scene
             let side = (c as f64 - 1.0) * options.block.pitch();
             let z = base + h / 2.0;
             let (pos, yaw) = if r % 2 == 0 { ([0.0, side, z], 0.0) } else { ([side, 0.0, z], FRAC_PI_2) };
-            blocks.push(Block { id: blocks.len() as u32, size: [length, width, h], mass, pos, yaw });
+            let id = blocks.len() as u32;
+            blocks.push(Block { yaw, ..Block::new(id, [length, width, h], mass, pos) });
             tallest = tallest.max(h);
         }
         base += tallest;
@@ -204,6 +205,7 @@ fn build(name: &str, rows: &[[Cell; 3]], options: &TowerOptions) -> Result<Scene
         kinetic_friction: options.kinetic_friction,
         restitution: options.restitution,
         stiffness: default_stiffness(),
+        edge_radius: 0.0,
         form: Form::default(),
         springs: Springs::default(),
         blocks,

@@ -57,8 +57,8 @@ proptest! {
     #[test]
     fn overlap_agrees_with_a_grid_of_points(x in -0.1..0.1f64, y in -0.1..0.1f64, z in -0.03..0.03f64, yaw in -4.0..4.0f64) {
         let size = [0.081, 0.0268, 0.018];
-        let a = Block { id: 0, size, mass: 0.02, pos: [0.0; 3], yaw: 0.3 };
-        let b = Block { id: 1, size, mass: 0.02, pos: [x, y, z], yaw };
+        let a = Block { yaw: 0.3, ..Block::new(0, size, 0.02, [0.0; 3]) };
+        let b = Block { yaw, ..Block::new(1, size, 0.02, [x, y, z]) };
         let depth = overlap::depth(&a, &b);
         prop_assert!((depth - overlap::depth(&b, &a)).abs() < 1e-15);
         let steps = 60;

@@ -128,7 +128,7 @@ mod tests {
     use super::*;
 
     fn block(x: f64, y: f64, yaw: f64) -> Block {
-        Block { id: 0, size: [0.081, 0.0268, 0.018], mass: 0.0196, pos: [x, y, 0.009], yaw }
+        Block { yaw, ..Block::new(0, [0.081, 0.0268, 0.018], 0.0196, [x, y, 0.009]) }
     }
 
     #[test]

@@ -13,7 +13,7 @@ pub const MASS: f64 = 0.0196;
 
 /// Scene of nominal blocks at the given centres (m), with friction 0.4.
 pub fn blocks(at: &[[f64; 3]]) -> Scene {
-    let blocks = at.iter().enumerate().map(|(id, &pos)| Block { id: id as u32, size: SIZE, mass: MASS, pos, yaw: 0.0 });
+    let blocks = at.iter().enumerate().map(|(id, &pos)| Block::new(id as u32, SIZE, MASS, pos));
     Scene {
         name: "test".into(),
         gravity: G,
@@ -21,6 +21,7 @@ pub fn blocks(at: &[[f64; 3]]) -> Scene {
         kinetic_friction: None,
         restitution: 0.5,
         stiffness: 1e6,
+        edge_radius: 0.0,
         form: Form::default(),
         springs: Springs::default(),
         blocks: blocks.collect(),

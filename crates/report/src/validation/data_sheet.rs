@@ -185,7 +185,7 @@ fn stack(blocks: &[Line], rows: u32, (length, width): (f64, f64)) -> Vec<Block> 
             let z = base + 0.5 * block.height;
             let (pos, yaw) = if row % 2 == 1 { ([0.0, side, z], 0.0) } else { ([side, 0.0, z], FRAC_PI_2) };
             let (id, size) = (10 * row + block.column, [length, width, block.height]);
-            stacked.push(Block { id, size, mass: block.mass, pos, yaw });
+            stacked.push(Block { yaw, ..Block::new(id, size, block.mass, pos) });
         }
         base += in_row().map(|block| block.height).fold(0.0, f64::max);
     }

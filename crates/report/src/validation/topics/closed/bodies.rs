@@ -30,7 +30,7 @@ type Friction = (f64, Option<f64>);
 
 /// Scene of one block with edges `size` (m) on the floor.
 fn block(form: Form, size: [f64; 3], (friction, kinetic_friction): Friction) -> Scene {
-    let block = Block { id: 0, size, mass: MASS, pos: [0.0, 0.0, 0.5 * size[2]], yaw: 0.0 };
+    let block = Block::new(0, size, MASS, [0.0, 0.0, 0.5 * size[2]]);
     let scene = named("block").expect("the list of scenes has a block");
     Scene { friction, kinetic_friction, form, blocks: vec![block], ..scene }
 }
