@@ -8,6 +8,7 @@ use glam::{DMat3, DVec3};
 use serde::{Deserialize, Serialize};
 
 use crate::body::{Bodies, FLOOR};
+use crate::collision::friction_levers::FrictionLevers;
 use crate::collision::polygon::{MAX_CORNERS, Patch};
 use crate::constants::{AREA_RANGE, REFERENCE_AREA};
 
@@ -35,12 +36,12 @@ pub struct ContactPoint {
     pub weight: f64,
     /// Separation along the normal, m; negative where the bodies overlap.
     pub gap: f64,
-    /// Tangential spring: displacement of B against A along the tangents since the point began to
-    /// stick, m.
-    pub tangential: [f64; 2],
+    /// Tangential spring: displacement of B against A along the tangents, and turning times the
+    /// turning arm, since the point began to stick, m.
+    pub tangential: [f64; 3],
     /// Maxwell element: recent normal displacement that has not yet relaxed, m.
     pub maxwell: f64,
-    /// Normal force in the last substep, N; positive in compression.
+    /// Normal force of the springs at the last sync, N; positive in compression.
     pub normal_force: f64,
 }
 
@@ -62,8 +63,8 @@ pub struct Manifold {
     pub centroid: DVec3,
     /// Area of the patch over [`REFERENCE_AREA`], clamped: stiffness over that of the scene.
     pub area_ratio: f64,
-    /// Torsion arm over arm of the points, see [`Patch::torsion_ratio`].
-    pub torsion_ratio: f64,
+    /// Where friction acts.
+    pub levers: FrictionLevers,
     /// Inverse effective mass of the two bodies at the patch, 1/kg: bounds the stiffness that the
     /// explicit step can integrate.
     pub mobility: f64,
@@ -74,7 +75,7 @@ pub struct Manifold {
 impl ContactPoint {
     /// Resets the springs to those of an open point.
     pub fn reset(&mut self) {
-        self.tangential = [0.0; 2];
+        self.tangential = [0.0; 3];
         self.maxwell = 0.0;
         self.normal_force = 0.0;
     }
@@ -90,7 +91,7 @@ impl Manifold {
             frame: [DVec3::ZERO; 3],
             centroid: DVec3::ZERO,
             area_ratio: 0.0,
-            torsion_ratio: 0.0,
+            levers: FrictionLevers::default(),
             mobility: 0.0,
             points: ArrayVec::new(),
         }
@@ -107,16 +108,18 @@ impl Manifold {
     ) {
         (self.a, self.b, self.frame, self.centroid) = (a, b, frame, centroid);
         self.area_ratio = (patch.area / REFERENCE_AREA).clamp(AREA_RANGE.0, AREA_RANGE.1);
-        (self.torsion_ratio, self.mobility) = (patch.torsion_ratio, 0.0);
+        self.mobility = 0.0;
         self.points.clear();
         self.points.extend(points);
+        let offsets: ArrayVec<[f64; 2], MAX_POINTS> = self.points.iter().map(|p| p.arm).collect();
+        self.levers = FrictionLevers::new(&offsets, &patch.shares[..offsets.len()], patch.torsion_ratio);
     }
 
     /// Copies another manifold. Unlike an assignment it moves only the points in use.
     pub fn copy_from(&mut self, from: &Self) {
-        let Self { a, b, axis, frame, centroid, area_ratio, torsion_ratio, mobility, ref points } = *from;
+        let Self { a, b, axis, frame, centroid, area_ratio, levers, mobility, ref points } = *from;
         (self.a, self.b, self.axis, self.frame, self.centroid) = (a, b, axis, frame, centroid);
-        (self.area_ratio, self.torsion_ratio, self.mobility) = (area_ratio, torsion_ratio, mobility);
+        (self.area_ratio, self.levers, self.mobility) = (area_ratio, levers, mobility);
         self.points.clear();
         self.points.extend(points.iter().copied());
     }
@@ -198,17 +201,21 @@ impl Manifold {
         self.points.iter().map(|p| p.weight * p.arm[k] * p.arm[k]).sum::<f64>()
     }
 
-    /// Torsion arms of the points, m: offsets from the centroid at which friction acts.
+    /// Lever of friction along the tangents, and turning arm, of each point, m.
     ///
-    /// The resultant acts at the centre of pressure of the last substep; offsets from there are
-    /// shortened by [`Manifold::torsion_ratio`].
-    pub fn torsion_arms(&self) -> impl Fn(&ContactPoint) -> [f64; 2] {
+    /// The resultant acts at the centre of pressure of the last substep, from which
+    /// [`FrictionLevers`] takes the offsets.
+    pub fn friction_arms(&self) -> impl Fn(&ContactPoint) -> [f64; 3] {
         let total: f64 = self.points.iter().map(|p| p.normal_force).sum();
         let center = |k: usize| {
             if total > 0.0 { self.points.iter().map(|p| p.normal_force * p.arm[k]).sum::<f64>() / total } else { 0.0 }
         };
-        let (center, ratio) = ([center(0), center(1)], self.torsion_ratio);
-        move |p| [0, 1].map(|k| center[k] + ratio * (p.arm[k] - center[k]))
+        let (center, levers) = ([center(0), center(1)], self.levers);
+        move |p| {
+            let offset = [p.arm[0] - center[0], p.arm[1] - center[1]];
+            let [x, y] = levers.lever(offset);
+            [center[0] + x, center[1] + y, levers.turning_arm(offset)]
+        }
     }
 
     /// Copies to each point the history of the nearest point of an earlier manifold of the same
@@ -234,7 +241,9 @@ impl Manifold {
             if let Some(nearest) = nearest {
                 let tangential = nearest.tangential[0] * old_tangents[0] + nearest.tangential[1] * old_tangents[1];
                 let tangential = if swapped { -tangential } else { tangential };
-                point.tangential = [tangential.dot(tangents[0]), tangential.dot(tangents[1])];
+                // Turning about the normal is the same for both orders of the bodies.
+                let turned = nearest.tangential[2];
+                point.tangential = [tangential.dot(tangents[0]), tangential.dot(tangents[1]), turned];
                 point.maxwell = nearest.maxwell;
                 point.normal_force = nearest.normal_force;
             }

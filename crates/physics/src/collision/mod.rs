@@ -3,5 +3,6 @@
 pub mod box_box;
 pub mod broad_phase;
 pub mod contacts;
+pub mod friction_levers;
 pub mod manifold;
 pub mod polygon;

@@ -33,17 +33,19 @@ impl<L: Lanes> RelativeMotion<L> for AffineMotion<L> {
     }
 
     #[inline(always)]
-    fn velocity_at(&self, r: &[L; 2], q: &[L; 2]) -> [L; 3] {
+    fn velocity_at(&self, r: &[L; 2], q: &[L; 3]) -> [L; 4] {
         let [x, y] = &self.gradient;
+        let spin = (x[2] - y[1]) * L::splat_f64(0.5);
         [
             self.v[0] + (x[0] * r[0] + y[0] * r[1]),
             self.v[1] + (x[1] * q[0] + y[1] * q[1]),
             self.v[2] + (x[2] * q[0] + y[2] * q[1]),
+            spin * q[2],
         ]
     }
 
     #[inline(always)]
-    fn subtract_force(wrench: &mut AffineWrench<L>, force: &[L; 3], r: &[L; 2], q: &[L; 2]) {
+    fn subtract_force(wrench: &mut AffineWrench<L>, force: &[L; 4], r: &[L; 2], q: &[L; 3]) {
         wrench.f[0] -= force[0];
         wrench.f[1] -= force[1];
         wrench.f[2] -= force[2];
@@ -52,5 +54,8 @@ impl<L: Lanes> RelativeMotion<L> for AffineMotion<L> {
             moment[1] -= *q * force[1];
             moment[2] -= *q * force[2];
         }
+        let turning = q[2] * force[3] * L::splat_f64(0.5);
+        wrench.moments[0][2] -= turning;
+        wrench.moments[1][1] += turning;
     }
 }

@@ -86,11 +86,12 @@ pub trait RelativeMotion<L: Lanes> {
     /// Zero wrench.
     fn zero_wrench() -> Self::Wrench;
 
-    /// Velocity of a point: along the normal at `arm`, along the tangents at `torsion_arm`.
-    fn velocity_at(&self, arm: &[L; 2], torsion_arm: &[L; 2]) -> [L; 3];
+    /// Velocity of a point: along the normal at `arm`; along the tangents at `friction_arm`, whose
+    /// third component is the arm of the turning about the normal.
+    fn velocity_at(&self, arm: &[L; 2], friction_arm: &[L; 3]) -> [L; 4];
 
     /// Subtracts the force of a point from the wrench: forces oppose the relative motion.
-    fn subtract_force(wrench: &mut Self::Wrench, force: &[L; 3], arm: &[L; 2], torsion_arm: &[L; 2]);
+    fn subtract_force(wrench: &mut Self::Wrench, force: &[L; 4], arm: &[L; 2], friction_arm: &[L; 3]);
 }
 
 /// Body to be loaded into the inner loop.

@@ -10,7 +10,7 @@ use crate::constants::{MAXWELL_TIME, STRIBECK_SPEED, TANGENTIAL_DAMPING, TANGENT
 use crate::derived::Derived;
 use crate::kernel::body_model::{BodyModel, RelativeMotion};
 use crate::kernel::layout::{Group, PointLanes, Row};
-use crate::kernel::vector::load;
+use crate::kernel::vector::{load, load3};
 use crate::simd::lanes::{LANES, Lanes, Real};
 
 /// Constants of the contact law.
@@ -101,9 +101,27 @@ pub fn apply_contacts<L: Lanes, B: BodyModel<L::Scalar>>(
 /// Contact law and damping of one part of a group.
 struct PartLaw<'a, L: Lanes> {
     part: usize,
+    /// The same number, see [`reload`].
+    again: usize,
     law: &'a ContactLaw<L::Scalar>,
     /// Damping over stiffness, substeps.
     damping_time: L,
+}
+
+/// Returns its argument in a way that hides from the compiler that it is the same: what is loaded
+/// with it after a store is loaded from memory, as an operand of the arithmetic. Otherwise values
+/// used before and after are spilled to the stack in between, at one instruction each.
+#[inline(always)]
+fn reload(part: usize) -> usize {
+    #[cfg(target_arch = "x86_64")]
+    {
+        let mut again = part;
+        // SAFETY: the assembly is empty and leaves the register as it is.
+        unsafe { std::arch::asm!("/* {0} */", inout(reg) again, options(pure, nomem, nostack, preserves_flags)) };
+        again
+    }
+    #[cfg(not(target_arch = "x86_64"))]
+    part
 }
 
 /// Wrench of one part of a group whose fullest lane has `count` points. The slots are unrolled by
@@ -117,7 +135,7 @@ fn contact_wrench<L: Lanes, M: RelativeMotion<L>>(
     motion: &M,
 ) -> M::Wrench {
     let mut wrench = M::zero_wrench();
-    let law = PartLaw { part, law, damping_time: load(&group.damping_time, part) };
+    let law = PartLaw { part, again: reload(part), law, damping_time: load(&group.damping_time, part) };
     let [p, q, r, s] = &mut group.points;
     if count > 0 {
         contact_point(p, &law, motion, &mut wrench);
@@ -138,16 +156,17 @@ fn contact_wrench<L: Lanes, M: RelativeMotion<L>>(
 #[inline(always)]
 fn contact_point<L: Lanes, M: RelativeMotion<L>>(
     p: &mut PointLanes<L::Scalar>,
-    &PartLaw { part, law, damping_time }: &PartLaw<L>,
+    &PartLaw { part, again, law, damping_time }: &PartLaw<L>,
     motion: &M,
     wrench: &mut M::Wrench,
 ) {
     let zero = L::zero();
     let arm = [load::<L>(&p.arm[0], part), load::<L>(&p.arm[1], part)];
-    let torsion_arm = [load::<L>(&p.torsion_arm[0], part), load::<L>(&p.torsion_arm[1], part)];
+    let friction_arm = load3::<L>(&p.friction_arm, part);
 
-    // Displacement of the point in this substep, along normal, tangent, tangent.
-    let [vn, u1, u2] = motion.velocity_at(&arm, &torsion_arm);
+    // Displacement of the point in this substep, along normal, tangent, tangent, and about the
+    // normal.
+    let [vn, u1, u2, u3] = motion.velocity_at(&arm, &friction_arm);
 
     // Normal: spring, damper and Maxwell element, without tension. An open point has no stiffness.
     let gap = load::<L>(&p.gap, part) + vn;
@@ -159,32 +178,33 @@ fn contact_point<L: Lanes, M: RelativeMotion<L>>(
         zero.store(&mut p.maxwell.0, part);
         zero.store(&mut p.tangential[0].0, part);
         zero.store(&mut p.tangential[1].0, part);
-        zero.store(&mut p.normal_force.0, part);
+        zero.store(&mut p.tangential[2].0, part);
         return;
     }
     let maxwell = L::mask(closed, load::<L>(&p.maxwell, part) * L::splat(law.maxwell_decay) + vn);
     let k = L::mask(closed, load::<L>(&p.stiffness, part));
-    let normal_force = k * ((gap + maxwell) + damping_time * vn);
-    let normal_force = L::mask(normal_force.less_than(zero), normal_force);
+    let normal_force = (k * ((gap + maxwell) + damping_time * vn)).min(zero);
     maxwell.store(&mut p.maxwell.0, part);
-    normal_force.store(&mut p.normal_force.0, part);
 
-    // Tangential: spring and damper within Coulomb's cone.
+    // Tangential: spring and damper within Coulomb's cone, which sliding and turning share.
     let kt = L::splat(law.tangential_stiffness) * k;
     let ct = L::splat(law.tangential_damping_time) * damping_time;
     let mut s1 = L::mask(closed, load::<L>(&p.tangential[0], part) + u1);
     let mut s2 = L::mask(closed, load::<L>(&p.tangential[1], part) + u2);
-    let (mut g1, mut g2) = (kt * (s1 + ct * u1), kt * (s2 + ct * u2));
+    let mut s3 = L::mask(closed, load::<L>(&p.tangential[2], part) + u3);
+    let (mut g1, mut g2, mut g3) = (kt * (s1 + ct * u1), kt * (s2 + ct * u2), kt * (s3 + ct * u3));
     let limit = L::splat(law.mu_kinetic) * normal_force;
-    let square = g1 * g1 + g2 * g2;
+    let square = (g1 * g1 + g2 * g2) + g3 * g3;
     if L::any((limit * limit).less_than(square)) {
-        let q = cone_scale(law, -normal_force, u1 * u1 + u2 * u2, square);
-        (s1, s2, g1, g2) = (s1 * q, s2 * q, g1 * q, g2 * q);
+        let q = cone_scale(law, -normal_force, (u1 * u1 + u2 * u2) + u3 * u3, square);
+        (s1, s2, s3, g1, g2, g3) = (s1 * q, s2 * q, s3 * q, g1 * q, g2 * q, g3 * q);
     }
     s1.store(&mut p.tangential[0].0, part);
     s2.store(&mut p.tangential[1].0, part);
+    s3.store(&mut p.tangential[2].0, part);
 
-    M::subtract_force(wrench, &[normal_force, g1, g2], &arm, &torsion_arm);
+    let arm = [load::<L>(&p.arm[0], again), load::<L>(&p.arm[1], again)];
+    M::subtract_force(wrench, &[normal_force, g1, g2, g3], &arm, &load3(&p.friction_arm, again));
 }
 
 /// Factor that scales friction and its springs back to Coulomb's cone, from the normal force and

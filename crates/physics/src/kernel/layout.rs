@@ -13,19 +13,18 @@ pub const SLOTS: usize = 4;
 pub struct PointLanes<R> {
     /// Offset from the centroid along the tangents, m.
     pub arm: [LaneArray<R>; 2],
-    /// Offset from the centroid at which friction acts, m, see
-    /// [`Manifold::torsion_arms`](crate::collision::manifold::Manifold::torsion_arms).
-    pub torsion_arm: [LaneArray<R>; 2],
+    /// Offset from the centroid at which friction acts, along the tangents, and arm at which it
+    /// resists turning about the normal, m, see
+    /// [`Manifold::friction_arms`](crate::collision::manifold::Manifold::friction_arms).
+    pub friction_arm: [LaneArray<R>; 3],
     /// Separation, m.
     pub gap: LaneArray<R>,
-    /// Displacement of the tangential spring, m.
-    pub tangential: [LaneArray<R>; 2],
+    /// Displacement of the tangential spring along the tangents and about the normal, m.
+    pub tangential: [LaneArray<R>; 3],
     /// Displacement of the Maxwell element, m.
     pub maxwell: LaneArray<R>,
     /// Stiffness, N/m.
     pub stiffness: LaneArray<R>,
-    /// Normal force, N; negative in compression.
-    pub normal_force: LaneArray<R>,
 }
 
 /// Group of contacts, one for each lane.
@@ -88,11 +87,13 @@ impl<R: Real> Group<R> {
             axis.0[l] = R::default();
         }
         for p in &mut self.points {
-            for array in p.arm.iter_mut().chain(&mut p.torsion_arm).chain(&mut p.tangential).chain([
-                &mut p.maxwell,
-                &mut p.stiffness,
-                &mut p.normal_force,
-            ]) {
+            for array in p
+                .arm
+                .iter_mut()
+                .chain(&mut p.friction_arm)
+                .chain(&mut p.tangential)
+                .chain([&mut p.maxwell, &mut p.stiffness])
+            {
                 array.0[l] = R::default();
             }
             p.gap.0[l] = R::from_f64(1.0);

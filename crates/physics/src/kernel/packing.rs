@@ -110,12 +110,14 @@ impl Packing {
                 let points = &mut contacts.manifolds[manifold].points;
                 for (slot, (from, &p)) in group.points.iter().zip(&entry.points).enumerate() {
                     let to = &mut points[p as usize];
-                    let tangential = [from.tangential[0].0[l], from.tangential[1].0[l]];
+                    let [x, y, turned] = &from.tangential;
+                    let tangential = [x.0[l], y.0[l], turned.0[l]];
                     to.tangential = refine.map_or(tangential.map(R::to_f64), |refine| {
                         refine.refine(to.tangential, tangential, (index, slot))
                     });
                     to.maxwell = from.maxwell.0[l].to_f64();
-                    to.normal_force = 0.0 - from.normal_force.0[l].to_f64();
+                    let compression = -(from.gap.0[l].to_f64() + to.maxwell);
+                    to.normal_force = from.stiffness.0[l].to_f64() * compression.max(0.0);
                 }
             }
             if !synced.all {
@@ -256,16 +258,17 @@ fn pack_points<R: Real>(
     manifold: &Manifold,
     (stiffness, damping_time): (f64, f64),
 ) {
-    let torsion_arms = manifold.torsion_arms();
+    let friction_arms = manifold.friction_arms();
     group.counts[l] = entry.points.len() as u8;
     group.damping_time.0[l] = R::from_f64(damping_time);
     for (&p, to) in entry.points.iter().zip(&mut group.points) {
         let from = &manifold.points[p as usize];
         let set = |to: &mut LaneArray<R>, x: f64| to.0[l] = R::from_f64(x);
-        let torsion_arm = torsion_arms(from);
-        for (k, torsion_arm) in torsion_arm.into_iter().enumerate() {
-            set(&mut to.arm[k], from.arm[k]);
-            set(&mut to.torsion_arm[k], torsion_arm);
+        for (to, arm) in to.arm.iter_mut().zip(from.arm) {
+            set(to, arm);
+        }
+        for (k, friction_arm) in friction_arms(from).into_iter().enumerate() {
+            set(&mut to.friction_arm[k], friction_arm);
             set(&mut to.tangential[k], from.tangential[k]);
         }
         set(&mut to.gap, from.gap);

@@ -59,17 +59,22 @@ impl<L: Lanes> RelativeMotion<L> for RigidMotion<L> {
     }
 
     #[inline(always)]
-    fn velocity_at(&self, [r1, r2]: &[L; 2], [q1, q2]: &[L; 2]) -> [L; 3] {
+    fn velocity_at(&self, [r1, r2]: &[L; 2], [q1, q2, turn]: &[L; 3]) -> [L; 4] {
         let (v, w) = (&self.v, &self.w);
-        [v[0] + (w[1] * *r2 - w[2] * *r1), v[1] - w[0] * *q2, v[2] + w[0] * *q1]
+        [v[0] + (w[1] * *r2 - w[2] * *r1), v[1] - w[0] * *q2, v[2] + w[0] * *q1, w[0] * *turn]
     }
 
     #[inline(always)]
-    fn subtract_force(wrench: &mut RigidWrench<L>, &[normal, g1, g2]: &[L; 3], [r1, r2]: &[L; 2], [q1, q2]: &[L; 2]) {
+    fn subtract_force(
+        wrench: &mut RigidWrench<L>,
+        &[normal, g1, g2, g3]: &[L; 4],
+        [r1, r2]: &[L; 2],
+        [q1, q2, turn]: &[L; 3],
+    ) {
         wrench.f[0] -= normal;
         wrench.f[1] -= g1;
         wrench.f[2] -= g2;
-        wrench.m[0] -= *q1 * g2 - *q2 * g1;
+        wrench.m[0] -= (*q1 * g2 - *q2 * g1) + *turn * g3;
         wrench.m[1] -= *r2 * normal;
         wrench.m[2] += *r1 * normal;
     }

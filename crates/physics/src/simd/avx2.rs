@@ -11,14 +11,14 @@ register! {
     /// Register of eight f32.
     F32: 8 x f32 => __m256, mask __m256;
     _mm256_set1_ps; _mm256_loadu_ps; _mm256_storeu_ps; _mm256_sqrt_ps;
-    _mm256_add_ps; _mm256_sub_ps; _mm256_mul_ps; _mm256_div_ps; |x| _mm256_xor_ps(x, _mm256_set1_ps(-0.0));
+    _mm256_add_ps; _mm256_sub_ps; _mm256_mul_ps; _mm256_div_ps; |x| _mm256_xor_ps(x, _mm256_set1_ps(-0.0)); _mm256_min_ps;
     _mm256_cmp_ps::<_CMP_LT_OQ>; |m, yes, no| _mm256_blendv_ps(no, yes, m); _mm256_and_ps; |m| _mm256_movemask_ps(m) != 0
 }
 register! {
     /// Register of four f64.
     F64: 4 x f64 => __m256d, mask __m256d;
     _mm256_set1_pd; _mm256_loadu_pd; _mm256_storeu_pd; _mm256_sqrt_pd;
-    _mm256_add_pd; _mm256_sub_pd; _mm256_mul_pd; _mm256_div_pd; |x| _mm256_xor_pd(x, _mm256_set1_pd(-0.0));
+    _mm256_add_pd; _mm256_sub_pd; _mm256_mul_pd; _mm256_div_pd; |x| _mm256_xor_pd(x, _mm256_set1_pd(-0.0)); _mm256_min_pd;
     _mm256_cmp_pd::<_CMP_LT_OQ>; |m, yes, no| _mm256_blendv_pd(no, yes, m); _mm256_and_pd; |m| _mm256_movemask_pd(m) != 0
 }
 

@@ -20,7 +20,7 @@ register! {
     /// Register of sixteen f32.
     F32: 16 x f32 => __m512, mask __mmask16;
     _mm512_set1_ps; _mm512_loadu_ps; _mm512_storeu_ps; _mm512_sqrt_ps;
-    _mm512_add_ps; _mm512_sub_ps; _mm512_mul_ps; _mm512_div_ps; |x| _mm512_xor_ps(x, _mm512_set1_ps(-0.0));
+    _mm512_add_ps; _mm512_sub_ps; _mm512_mul_ps; _mm512_div_ps; |x| _mm512_xor_ps(x, _mm512_set1_ps(-0.0)); _mm512_min_ps;
     _mm512_cmp_ps_mask::<_CMP_LT_OQ>; |m, yes, no| _mm512_mask_blend_ps(m, no, yes); _mm512_maskz_mov_ps; |m| m != 0
 }
 

@@ -77,6 +77,8 @@ pub trait Lanes:
     fn store<const N: usize>(self, to: &mut [Self::Scalar; N], part: usize);
     /// Square root of each lane.
     fn sqrt(self) -> Self;
+    /// Smaller of self and other; other where either is NaN.
+    fn min(self, other: Self) -> Self;
     /// Compares self < other; false where either is NaN.
     fn less_than(self, other: Self) -> Self::Mask;
     /// Selects `yes` where the mask is set, `no` elsewhere.

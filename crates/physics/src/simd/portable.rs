@@ -64,6 +64,10 @@ impl<R: Real> Lanes for Plain<R> {
         Self(self.0.sqrt())
     }
     #[inline(always)]
+    fn min(self, other: Self) -> Self {
+        if self.0 < other.0 { self } else { other }
+    }
+    #[inline(always)]
     fn less_than(self, other: Self) -> bool {
         self.0 < other.0
     }

@@ -133,7 +133,7 @@ macro_rules! register {
         $(#[$doc:meta])*
         $t:ident: $width:literal x $number:ty => $register:ty, mask $mask:ty;
         $splat:expr; $load:expr; $store:expr; $sqrt:expr;
-        $add:expr; $sub:expr; $mul:expr; $div:expr; $neg:expr;
+        $add:expr; $sub:expr; $mul:expr; $div:expr; $neg:expr; $min:expr;
         $less_than:expr; $select:expr; $mask_op:expr; $any:expr
     ) => {
         $(#[$doc])*
@@ -186,6 +186,10 @@ macro_rules! register {
             #[inline(always)]
             fn sqrt(self) -> Self {
                 Self(unsafe { $sqrt(self.0) })
+            }
+            #[inline(always)]
+            fn min(self, other: Self) -> Self {
+                Self(unsafe { $min(self.0, other.0) })
             }
             #[inline(always)]
             fn less_than(self, other: Self) -> $mask {

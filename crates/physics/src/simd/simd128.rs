@@ -8,14 +8,14 @@ register! {
     /// Register of four f32.
     F32: 4 x f32 => v128, mask v128;
     f32x4_splat; |p| v128_load(p); |p, x| v128_store(p, x); f32x4_sqrt;
-    f32x4_add; f32x4_sub; f32x4_mul; f32x4_div; f32x4_neg;
+    f32x4_add; f32x4_sub; f32x4_mul; f32x4_div; f32x4_neg; |a, b| f32x4_pmin(b, a);
     f32x4_lt; |m, yes, no| v128_bitselect(yes, no, m); v128_and; v128_any_true
 }
 register! {
     /// Register of two f64.
     F64: 2 x f64 => v128, mask v128;
     f64x2_splat; |p| v128_load(p); |p, x| v128_store(p, x); f64x2_sqrt;
-    f64x2_add; f64x2_sub; f64x2_mul; f64x2_div; f64x2_neg;
+    f64x2_add; f64x2_sub; f64x2_mul; f64x2_div; f64x2_neg; |a, b| f64x2_pmin(b, a);
     f64x2_lt; |m, yes, no| v128_bitselect(yes, no, m); v128_and; v128_any_true
 }
 

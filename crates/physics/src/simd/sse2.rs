@@ -8,14 +8,14 @@ register! {
     /// Register of four f32.
     F32: 4 x f32 => __m128, mask __m128;
     _mm_set1_ps; _mm_loadu_ps; _mm_storeu_ps; _mm_sqrt_ps;
-    _mm_add_ps; _mm_sub_ps; _mm_mul_ps; _mm_div_ps; |x| _mm_xor_ps(x, _mm_set1_ps(-0.0));
+    _mm_add_ps; _mm_sub_ps; _mm_mul_ps; _mm_div_ps; |x| _mm_xor_ps(x, _mm_set1_ps(-0.0)); _mm_min_ps;
     _mm_cmplt_ps; |m, yes, no| _mm_or_ps(_mm_and_ps(m, yes), _mm_andnot_ps(m, no)); _mm_and_ps; |m| _mm_movemask_ps(m) != 0
 }
 register! {
     /// Register of two f64.
     F64: 2 x f64 => __m128d, mask __m128d;
     _mm_set1_pd; _mm_loadu_pd; _mm_storeu_pd; _mm_sqrt_pd;
-    _mm_add_pd; _mm_sub_pd; _mm_mul_pd; _mm_div_pd; |x| _mm_xor_pd(x, _mm_set1_pd(-0.0));
+    _mm_add_pd; _mm_sub_pd; _mm_mul_pd; _mm_div_pd; |x| _mm_xor_pd(x, _mm_set1_pd(-0.0)); _mm_min_pd;
     _mm_cmplt_pd; |m, yes, no| _mm_or_pd(_mm_and_pd(m, yes), _mm_andnot_pd(m, no)); _mm_and_pd; |m| _mm_movemask_pd(m) != 0
 }
 

@@ -56,6 +56,7 @@ fn arithmetic_agrees<L: Lanes>(all: &[[L::Scalar; LEN]]) {
         assert_eq!(in_lanes::<L>(x, y, |a, b| a - b), in_scalars(x, y, |a, b| a - b));
         assert_eq!(in_lanes::<L>(x, y, |a, b| a * b), in_scalars(x, y, |a, b| a * b));
         assert_eq!(in_lanes::<L>(x, y, |a, b| a / b), in_scalars(x, y, |a, b| a / b));
+        assert_eq!(in_lanes::<L>(x, y, |a, b| a.min(b)), in_scalars(x, y, |a, b| if a < b { a } else { b }));
         assert_eq!(in_lanes::<L>(x, y, |a, _| -a), in_scalars(x, y, |a, _| -a));
         assert_eq!(in_lanes::<L>(x, y, |a, _| a.sqrt()), in_scalars(x, y, |a, _| a.sqrt()));
         let add_assigned = |mut a: L, b: L| {

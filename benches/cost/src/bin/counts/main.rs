@@ -24,6 +24,7 @@ fn main() -> ExitCode {
 fn run(file: &Path, args: &[&str]) -> Result<bool, CostError> {
     match args {
         ["check"] => check(file),
+        ["show", name] => show(file, name).map(|()| true),
         ["accept", reason] => accept(file, reason).map(|()| true),
         ["play", name, state] => {
             let workload = counted()?.into_iter().find(|w| w.name == *name).ok_or(CostError::UnknownWorkload)?;
@@ -31,7 +32,7 @@ fn run(file: &Path, args: &[&str]) -> Result<bool, CostError> {
             println!("{substeps} {hash}");
             Ok(true)
         }
-        _ => Err(CostError::Usage("expected check or accept \"the reason\"".into())),
+        _ => Err(CostError::Usage("expected check, show NAME or accept \"the reason\"".into())),
     }
 }
 
@@ -47,6 +48,15 @@ fn check(file: &Path) -> Result<bool, CostError> {
         _ => println!("If this is meant: tools/counts accept \"what made it so\""),
     }
     Ok(comparison.failures.is_empty())
+}
+
+/// Counts the workloads whose names contain `name`, and prints them beside the accepted counts.
+fn show(file: &Path, name: &str) -> Result<(), CostError> {
+    let baseline = Baseline::read(file)?;
+    let (workloads, _) = playable()?;
+    let workloads: Vec<_> = workloads.into_iter().filter(|workload| workload.name.contains(name)).collect();
+    print!("{}", compare(Some(&baseline), &count_all(&workloads)?, COMPILER, &[]).table);
+    Ok(())
 }
 
 /// Replaces the accepted counts.
