@@ -5,7 +5,7 @@ use glam::{DMat3, DQuat, DVec3};
 use serde::{Deserialize, Serialize};
 use teeter_scene::{Form, Particles, Scene};
 
-use crate::constants::MIN_STRETCH;
+use crate::constants::{BUDGET_CHECK_INTERVAL, MAX_RADIUS, MIN_STRETCH, SHARP_RADIUS};
 
 /// Index that stands for the floor.
 pub const FLOOR: u32 = u32::MAX;
@@ -21,6 +21,15 @@ pub struct Shapes {
     pub inertia: Vec<DVec3>,
     /// Distance from the centre to a corner, m.
     pub radius: Vec<f64>,
+    /// Coefficient of static friction.
+    pub friction: Vec<f64>,
+    /// Radius of the edges, m; that of sharp blocks follows from their size.
+    pub edge_radius: Vec<f64>,
+    /// Shortest time between two detections of a body, s.
+    pub lookahead: Vec<f64>,
+    /// Square root of mass over stiffness of the contacts, s: a body of this mass swings on a
+    /// contact with this inverse angular frequency.
+    pub contact_time: Vec<f64>,
     /// Distances of the particles from the centre along the body's axes, m; empty for rigid bodies.
     pub particles: Vec<DVec3>,
 }
@@ -34,6 +43,10 @@ impl Shapes {
             shapes.half.push(half);
             shapes.mass.push(block.mass);
             shapes.radius.push(half.length());
+            shapes.friction.push(block.friction.unwrap_or(scene.friction));
+            let sharp = SHARP_RADIUS * middle_edge(half);
+            let radius = if scene.edge_radius > 0.0 { scene.edge_radius } else { sharp };
+            shapes.edge_radius.push(radius.min(MAX_RADIUS * 2.0 * half.min_element()));
         }
         shapes.set_form(scene.form, scene.springs.particles);
         shapes
@@ -45,7 +58,17 @@ impl Shapes {
         self.mass.push(from.mass[i]);
         self.inertia.push(from.inertia[i]);
         self.radius.push(from.radius[i]);
+        self.friction.push(from.friction[i]);
+        self.edge_radius.push(from.edge_radius[i]);
+        self.lookahead.push(from.lookahead[i]);
+        self.contact_time.push(from.contact_time[i]);
         self.particles.extend(from.particles.get(i));
+    }
+
+    /// Sets the times that follow from a substep of `h` (s) and the stiffness of contacts (N/m).
+    pub fn set_times(&mut self, h: f64, stiffness: f64) {
+        self.lookahead = vec![BUDGET_CHECK_INTERVAL as f64 * h; self.mass.len()];
+        self.contact_time = self.mass.iter().map(|mass| (mass / stiffness).sqrt()).collect();
     }
 
     /// Sets the form of the bodies, and with it particles and inertia.
@@ -94,6 +117,8 @@ pub struct Bodies {
     pub asleep: Vec<bool>,
     /// True if the body was frozen because its state was not finite or ran away.
     pub quarantined: Vec<bool>,
+    /// True if the body is held in place and never moves.
+    pub fixed: Vec<bool>,
     /// Stretch S of each body, empty for rigid bodies: R S maps the body's frame to the world. It
     /// follows from the particles.
     #[serde(skip)]
@@ -118,6 +143,7 @@ impl Bodies {
             rest_twist: vec![(DVec3::ZERO, DVec3::ZERO); n],
             asleep: vec![false; n],
             quarantined: vec![false; n],
+            fixed: scene.blocks.iter().map(|b| b.fixed).collect(),
             stretch: Vec::new(),
             position,
             orientation,
@@ -143,6 +169,7 @@ impl Bodies {
         self.rest_twist.push(from.rest_twist[i]);
         self.asleep.push(from.asleep[i]);
         self.quarantined.push(from.quarantined[i]);
+        self.fixed.push(from.fixed[i]);
         self.stretch.extend(from.stretch.get(i));
     }
 
@@ -150,7 +177,7 @@ impl Bodies {
     pub fn has_len(&self, n: usize) -> bool {
         let vectors = [&self.position, &self.velocity, &self.spin];
         let scalars = [&self.acceleration, &self.margin, &self.rest_time];
-        let flags = [&self.asleep, &self.quarantined];
+        let flags = [&self.asleep, &self.quarantined, &self.fixed];
         vectors.iter().all(|x| x.len() == n)
             && scalars.iter().all(|x| x.len() == n)
             && flags.iter().all(|x| x.len() == n)
@@ -161,7 +188,12 @@ impl Bodies {
 
     /// Returns true if forces move the body.
     pub fn is_active(&self, i: usize) -> bool {
-        !self.asleep[i] && !self.quarantined[i]
+        !self.asleep[i] && !self.is_immovable(i)
+    }
+
+    /// Returns true if nothing moves the body, neither forces nor a touch that would wake it.
+    pub fn is_immovable(&self, i: usize) -> bool {
+        self.quarantined[i] || self.fixed[i]
     }
 
     /// Upper bound of the speed of a body's points, m/s.
@@ -215,6 +247,12 @@ impl Bodies {
             shapes.half[i] * DVec3::new(s.x_axis.x, s.y_axis.y, s.z_axis.z).max(MIN_STRETCH)
         })
     }
+}
+
+/// Length of the middle one of the three edges of a box with these half edges, m.
+pub fn middle_edge(half: DVec3) -> f64 {
+    let [x, y, z] = half.to_array();
+    2.0 * x.max(y).min(x.max(z)).min(y.max(z))
 }
 
 /// Force and torque on a body.

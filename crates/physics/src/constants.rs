@@ -4,11 +4,13 @@ use glam::DVec3;
 
 /// Contact area for which the stiffness of a scene holds, m²: two crossed nominal blocks.
 pub const REFERENCE_AREA: f64 = 0.0268 * 0.0268;
-/// Range of contact area over [`REFERENCE_AREA`] in which stiffness is proportional to area. A
-/// block lying flat on another has 3.02. The lower end gives a sliver some stiffness, the upper end
-/// bounds the substep.
-pub const AREA_RANGE: (f64, f64) = (0.1, 3.2);
-/// Area over [`REFERENCE_AREA`] of two crossing edges.
+/// Contact area over [`REFERENCE_AREA`] above which stiffness is proportional to area: a sliver has
+/// some stiffness.
+pub const MIN_AREA: f64 = 0.1;
+/// Largest face over [`REFERENCE_AREA`] that bounds the substep; a nominal block lying flat on
+/// another has 3.02. Contacts of larger faces are softened where their bodies are light.
+pub const STEP_AREA: f64 = 3.2;
+/// Area of two edges that touch over the square of the middle edge of the smaller block.
 pub const EDGE_AREA: f64 = 0.25;
 
 /// Part of the stability limit of the explicit step, 4, that one contact between two bodies may
@@ -68,6 +70,19 @@ pub const MARGIN_TIME: f64 = 8e-3;
 pub const MIN_NEAR_TRAVEL: f64 = 1e-4;
 /// Share of its margin that a body may travel before its contacts are detected again.
 pub const MARGIN_SHARE: f64 = 0.7;
+/// Radius of the edges of sharp blocks over the middle edge of a block: the normal of edges that
+/// meet follows from the rounding. A larger radius moves the edges on which a tilted block stands,
+/// a smaller one makes a wall of a seam that gives by less.
+pub const SHARP_RADIUS: f64 = 7.5e-4;
+/// Largest radius of the edges of a block over its smallest edge.
+pub const MAX_RADIUS: f64 = 0.3;
+/// Travel for which the normal of rounded edges holds, over the sum of their radii. A longer one
+/// makes a block lose speed at a seam.
+pub const ROUND_TRAVEL: f64 = 0.05;
+/// Largest sine of the angle between two faces that meet as faces.
+pub const FLAT_SINE: f64 = 0.03;
+/// Largest sine of the angle between two faces that bear on their whole patch, roundings included.
+pub const LEVEL_SINE: f64 = 0.01;
 /// Smallest sine of the angle between two edges that gives an edge axis. For nearly parallel edges
 /// the face axes suffice.
 pub const MIN_EDGE_SINE: f64 = 0.02;
@@ -81,6 +96,20 @@ pub const EDGE_PREFERENCE: f64 = 1e-4;
 pub const AXIS_HYSTERESIS: f64 = 5e-5;
 /// Distance below which two corners of a patch are merged, m.
 pub const CORNER_MERGE: f64 = 1e-4;
+
+/// Gap up to which blocks touch at the start, m: the rounding of files with five digits.
+pub const TOUCH_GAP: f64 = 2e-5;
+/// Time over which gravity grows while a new world settles, s.
+pub const START_RAMP: f64 = 0.1;
+/// Longest time for which a new world settles, s.
+pub const START_TIME: f64 = 0.75;
+/// Share of its velocity that a body keeps at the end of each frame in which it settles.
+pub const START_DAMPING: f64 = 0.5;
+/// Travel over the middle edge of a block from which it does not settle but falls or slides. A loose
+/// block of a tower rocks by a tenth of it.
+pub const START_REACH: f64 = 0.15;
+/// Speed below which a body has settled, m/s.
+pub const START_SPEED: f64 = 1e-5;
 
 /// Time at rest after which a body may sleep, s.
 pub const REST_TIME: f64 = 0.25;

@@ -5,7 +5,9 @@ use glam::DVec3;
 use teeter_scene::{Form, Scene};
 
 use crate::body::Shapes;
-use crate::constants::{AREA_RANGE, CROSSED_MOBILITY, NOMINAL_MASS, REFERENCE_AREA, STEP_LIMIT, STRAIN_INERTIA};
+use crate::constants::{
+    CROSSED_MOBILITY, MIN_AREA, NOMINAL_MASS, REFERENCE_AREA, STEP_AREA, STEP_LIMIT, STRAIN_INERTIA,
+};
 use crate::lattice::springs::Springs;
 use crate::params::Params;
 use crate::restitution::damping_ratio;
@@ -15,8 +17,10 @@ use crate::restitution::damping_ratio;
 pub struct Derived {
     /// Gravity of the scene along -z, m/s².
     pub gravity: f64,
-    /// Static and kinetic coefficient of friction.
-    pub mu: (f64, f64),
+    /// Coefficient of static friction of the floor.
+    pub friction: f64,
+    /// Kinetic over static friction.
+    pub kinetic_ratio: f64,
     /// Damping ratio of contacts.
     pub zeta: f64,
     /// Normal stiffness of a contact of [`REFERENCE_AREA`], N/m.
@@ -48,7 +52,11 @@ impl Derived {
         let substeps = (params.frame / longest).ceil().max(1.0) as usize;
         Self {
             gravity: scene.gravity,
-            mu: (scene.friction, scene.kinetic_friction.unwrap_or(scene.friction)),
+            friction: scene.friction,
+            kinetic_ratio: match scene.kinetic_friction {
+                Some(kinetic) if scene.friction > 0.0 => kinetic / scene.friction,
+                _ => 1.0,
+            },
             zeta,
             stiffness: scene.stiffness,
             springs,
@@ -95,28 +103,31 @@ fn crossed_mobility(inset: f64) -> f64 {
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Masses {
     /// Mass that bounds the substep of contacts: that of the nominal block, or less, see
-    /// [`step_mass`].
+    /// [`step_masses`].
     pub step: f64,
-    /// Mass of the lightest body.
+    /// Mass of the lightest body, or of the nominal block.
     pub min: f64,
 }
 
 impl Masses {
-    /// Masses of a set of bodies.
-    pub fn new(shapes: &Shapes) -> Self {
-        Self { step: step_mass(shapes), min: shapes.mass.iter().copied().fold(f64::INFINITY, f64::min) }
+    /// Masses of a set of bodies, of which those that are fixed do not move.
+    pub fn new(shapes: &Shapes, fixed: &[bool]) -> Self {
+        let moving = |masses: Vec<f64>| {
+            masses.into_iter().zip(fixed).filter(|&(_, &fixed)| !fixed).map(|(m, _)| m).fold(NOMINAL_MASS, f64::min)
+        };
+        Self { step: moving(step_masses(shapes)), min: moving(shapes.mass.clone()) }
     }
 }
 
-/// Mass that bounds the substep of contacts, kg: that of the lightest body for the stiffness of its
-/// largest face. The nominal block has a third to spare, so a block of the lightest wood does not
+/// Masses that bound the substep of contacts, kg: those of the bodies for the stiffness of their
+/// largest faces. The nominal block has a third to spare, so a block of the lightest wood does not
 /// shorten the step.
-fn step_mass(shapes: &Shapes) -> f64 {
+fn step_masses(shapes: &Shapes) -> Vec<f64> {
     let spare = 0.75;
     let flat = 0.081 * 0.0268 / REFERENCE_AREA;
     let bounds = shapes.half.iter().zip(&shapes.mass).map(|(half, mass)| {
         let face = 4.0 * (half.x * half.y).max(half.y * half.z).max(half.z * half.x);
-        mass * flat / (face / REFERENCE_AREA).clamp(AREA_RANGE.0, AREA_RANGE.1)
+        mass * flat / (face / REFERENCE_AREA).clamp(MIN_AREA, STEP_AREA) / spare
     });
-    bounds.map(|m| m / spare).fold(NOMINAL_MASS, f64::min)
+    bounds.collect()
 }

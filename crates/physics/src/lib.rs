@@ -20,6 +20,7 @@ mod restitution;
 )]
 mod simd;
 mod snapshot;
+mod start;
 mod step;
 mod step_io;
 mod world;

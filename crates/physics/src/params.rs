@@ -94,8 +94,8 @@ pub struct Params {
     pub width: Width,
     /// Bodies at rest may sleep. Sleep saves work and never decides stability.
     pub sleep: bool,
-    /// Time over which gravity ramps to its full value at the start, s. A sudden start would drop a
-    /// tower onto its springs.
+    /// Time over which gravity ramps to its full value at the start, s. Where it is zero, what
+    /// touches carries its weight from the first instant, and what is in the air falls.
     pub ramp: f64,
     /// Length of a frame, the time that one step covers, s.
     pub frame: f64,
@@ -103,6 +103,6 @@ pub struct Params {
 
 impl Default for Params {
     fn default() -> Self {
-        Self { precision: Precision::Single, width: Width::Auto, sleep: true, ramp: 0.3, frame: 1.0 / 60.0 }
+        Self { precision: Precision::Single, width: Width::Auto, sleep: true, ramp: 0.0, frame: 1.0 / 60.0 }
     }
 }

@@ -108,11 +108,12 @@ pub struct ContactReport {
 ///
 /// let mut scene = teeter_scene::named("block").unwrap();
 /// scene.form = Form::Lattice;
+/// scene.gravity = 0.0;
 /// let world = World::new(&scene, Params::default())?;
 /// let lattice = world.lattice(BodyId(0)).unwrap();
 /// let center = lattice.particles.iter().sum::<glam::DVec3>() / 8.0;
 /// assert!(center.distance(world.pose(BodyId(0)).position) < 1e-12);
-/// // nothing is strained at the start
+/// // nothing is strained without gravity
 /// assert!(lattice.forces.iter().all(|force| force.abs() < 1e-6));
 /// # Ok::<(), teeter_physics::BuildError>(())
 /// ```

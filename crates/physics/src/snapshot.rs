@@ -51,7 +51,7 @@ pub enum SnapshotError {
 }
 
 /// Header of a snapshot: name and version of its layout.
-const MAGIC: &[u8] = b"teeter\x00\x03";
+const MAGIC: &[u8] = b"teeter\x00\x04";
 
 /// All state that changes: with the constants and the inputs it determines all of the future.
 #[derive(Debug, Serialize, Deserialize)]

@@ -16,7 +16,7 @@ impl World {
         input.gravity = input.gravity.filter(|g| g.is_finite());
         input.forces.retain(|f| known(f.body) && f.point.is_finite() && f.force.is_finite());
         input.drives.retain(|d| known(d.body) && d.velocity.is_finite() && d.max_force >= 0.0);
-        input.hand = input.hand.filter(|h| known(h.body) && !self.is_quarantined(h.body) && is_valid(h));
+        input.hand = input.hand.filter(|h| known(h.body) && !self.is_immovable(h.body) && is_valid(h));
         if let Some(hand) = &mut input.hand {
             hand.max_force = hand.max_force.min(Hand::MAX_FORCE);
             hand.orientation = hand.orientation.map(|q| q.normalize());

@@ -91,8 +91,10 @@ impl World {
         let _mode = FloatMode::standard();
         check(&params)?;
         scene.validate()?;
-        let shapes = Shapes::new(scene);
-        let derived = Derived::new(scene, &params, Masses::new(&shapes));
+        let mut shapes = Shapes::new(scene);
+        let fixed: Vec<bool> = scene.blocks.iter().map(|block| block.fixed).collect();
+        let derived = Derived::new(scene, &params, Masses::new(&shapes, &fixed));
+        shapes.set_times(derived.h, derived.stiffness);
         let mut world = Self {
             scene: scene.clone(),
             derived,
@@ -105,6 +107,9 @@ impl World {
             params,
         };
         world.write_poses();
+        if params.ramp == 0.0 {
+            world.settle_start();
+        }
         Ok(world)
     }
 
@@ -219,12 +224,21 @@ impl World {
         cluster.bodies.quarantined[i]
     }
 
+    /// Returns true if nothing moves a body: it is fixed or was frozen.
+    pub(crate) fn is_immovable(&self, body: BodyId) -> bool {
+        let (cluster, i) = self.locate(body);
+        cluster.bodies.is_immovable(i)
+    }
+
     /// Sets velocity and spin of a body: the start of an experiment. Wakes it and all that it
-    /// touches.
+    /// touches. A body that is fixed or quarantined stays where it is.
     ///
     /// # Panics
     /// When the world has no such body.
     pub fn set_twist(&mut self, body: BodyId, twist: Twist) {
+        if self.is_immovable(body) {
+            return;
+        }
         self.wake(body);
         let (cluster, i) = self.locate_mut(body);
         cluster.bodies.velocity[i] = twist.velocity;
@@ -256,9 +270,11 @@ impl World {
         scene.validate_constants()?;
         let refit = form != self.scene.form || springs.particles != self.scene.springs.particles;
         self.scene = scene;
+        self.derived = Derived::new(&self.scene, &self.params, self.derived.masses);
         for cluster in &mut self.clusters.list {
             let Cluster { shapes, bodies, particles, .. } = cluster;
             shapes.set_form(form, springs.particles);
+            shapes.set_times(self.derived.h, self.derived.stiffness);
             if refit {
                 let of = |i: usize, &half: &DVec3| {
                     Particles::of_rigid(half, bodies.orientation[i], bodies.velocity[i], bodies.spin[i])
@@ -269,7 +285,6 @@ impl World {
             cluster.kernel = AnyKernel::new(&self.params, form);
             cluster.contacts.detect_all(&cluster.shapes, &mut cluster.bodies);
         }
-        self.derived = Derived::new(&self.scene, &self.params, self.derived.masses);
         self.bodies().for_each(|body| self.wake(body));
         Ok(())
     }
@@ -379,7 +394,10 @@ fn single_cluster(scene: &Scene, params: &Params, shapes: Shapes) -> Cluster {
     let mut cluster = Cluster::new(params, scene.form);
     cluster.ids = (0..scene.blocks.len() as u32).collect();
     cluster.bodies = Bodies::new(scene);
-    cluster.particles = vec![Particles::default(); shapes.particles.len()];
+    let bodies = &cluster.bodies;
+    let at_start =
+        |i: usize, &half: &DVec3| Particles::of_rigid(half, bodies.orientation[i], bodies.velocity[i], bodies.spin[i]);
+    cluster.particles = shapes.particles.iter().enumerate().map(|(i, half)| at_start(i, half)).collect();
     cluster.bodies.stretch = vec![DMat3::IDENTITY; shapes.particles.len()];
     let bound = |i| Aabb::new(&shapes, &cluster.bodies, i, MIN_SWEEP);
     cluster.contacts.swept = (0..cluster.len()).map(bound).collect();

@@ -70,7 +70,7 @@ fn kinetic_friction_stops_a_block_and_static_friction_holds_it() {
     assert!((distance / expected - 1.0).abs() < 0.01, "{distance} instead of {expected} m");
 
     // Between the two coefficients a block at rest stays at rest, and a sliding one continues.
-    let mut still = World::new(&scene, awake()).unwrap();
+    let mut still = World::new(&scene, Params { ramp: 0.3, ..awake() }).unwrap();
     run(&mut still, 5.0, &tilted(0.49));
     assert!(position(&still, 0).x.abs() < 1e-5);
     run(&mut world, 1.0, &tilted(0.4));

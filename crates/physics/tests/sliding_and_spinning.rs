@@ -43,8 +43,7 @@ impl Throw {
         let [a, b] = self.size;
         let (nx, ny) = (40, (40.0 * b / a).ceil().max(8.0) as usize);
         let cell = |i: usize, n: usize, size: f64| ((i as f64 + 0.5) / n as f64 - 0.5) * size;
-        let cells: Vec<DVec2> =
-            (0..nx * ny).map(|i| DVec2::new(cell(i % nx, nx, a), cell(i / nx, ny, b))).collect();
+        let cells: Vec<DVec2> = (0..nx * ny).map(|i| DVec2::new(cell(i % nx, nx, a), cell(i / nx, ny, b))).collect();
         let inertia = (a * a + b * b) / 12.0;
         let step = 1e-4;
         let (mut at, mut turn, mut v, mut w) = (DVec2::ZERO, 0.0, DVec2::new(self.speed, 0.0), self.spin);
@@ -104,11 +103,24 @@ fn errors(throw: &Throw) -> Vec<f64> {
 #[test]
 fn a_plate_that_slides_and_spins_stops_where_a_uniform_pressure_stops_it() {
     let mut random = Random::new(15);
-    let mut all: Vec<f64> = (0..50).map(|_| Throw::random(&mut random)).flat_map(|throw| {
-        let e = errors(&throw);
-        if e.iter().any(|&e| e > 0.05) { println!("{:?} yaw {:.2} {:.3} m/s {:.1} rad/s {e:.3?} {:?} {:?}", throw.size, throw.yaw, throw.speed, throw.spin, throw.run(), throw.mesh()); }
-        e
-    }).collect();
+    let mut all: Vec<f64> = (0..50)
+        .map(|_| Throw::random(&mut random))
+        .flat_map(|throw| {
+            let e = errors(&throw);
+            if e.iter().any(|&e| e > 0.05) {
+                println!(
+                    "{:?} yaw {:.2} {:.3} m/s {:.1} rad/s {e:.3?} {:?} {:?}",
+                    throw.size,
+                    throw.yaw,
+                    throw.speed,
+                    throw.spin,
+                    throw.run(),
+                    throw.mesh()
+                );
+            }
+            e
+        })
+        .collect();
     all.sort_by(f64::total_cmp);
     let (median, worst) = (all[all.len() / 2], all[all.len() - 1]);
     println!("{} figures: median {:.2} %, worst {:.2} %", all.len(), 100.0 * median, 100.0 * worst);

@@ -29,7 +29,7 @@ fn a_loose_block_that_rocks_is_not_thrown_off() {
     for taken in [12, 26, 32] {
         let mut scene = tower(&TowerOptions { seed: 11, ..TowerOptions::default() }).unwrap();
         scene.blocks.remove(taken);
-        let mut world = World::new(&scene, awake()).unwrap();
+        let mut world = World::new(&scene, Params { ramp: 0.3, ..awake() }).unwrap();
         for _ in 0..30 {
             let report = world.step(&Input::default());
             assert!(report.penetration < 3e-5 && report.max_speed < 0.05, "without block {taken}: {report:?}");

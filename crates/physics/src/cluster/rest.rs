@@ -26,9 +26,9 @@ pub fn update_rest(shapes: &Shapes, bodies: &mut Bodies, frame: f64) {
     }
 }
 
-/// Islands of bodies in contact, without floor and quarantined bodies.
+/// Islands of bodies in contact, without floor and immovable bodies.
 fn contact_islands(bodies: &Bodies, manifolds: &[Manifold]) -> Vec<u32> {
-    let excluded = |i: u32| i == FLOOR || bodies.quarantined[i as usize];
+    let excluded = |i: u32| i == FLOOR || bodies.is_immovable(i as usize);
     let touching =
         manifolds.iter().filter(|m| !excluded(m.a) && !excluded(m.b) && m.points.iter().any(|p| p.gap < 0.0));
     islands(bodies.len(), touching.map(|m| (m.a, m.b)))
@@ -84,7 +84,7 @@ pub fn find_disturbed(bodies: &Bodies, manifolds: &[Manifold], travel_budget: &[
     let mut disturbed = Vec::new();
     for manifold in manifolds.iter().filter(|m| m.a != FLOOR) {
         let (a, b) = (manifold.a as usize, manifold.b as usize);
-        if bodies.asleep[a] == bodies.asleep[b] || bodies.quarantined[a] || bodies.quarantined[b] {
+        if bodies.asleep[a] == bodies.asleep[b] || bodies.is_immovable(a) || bodies.is_immovable(b) {
             continue;
         }
         let approach = (travel_budget[a] + travel_budget[b] - 2.0 * MIN_TRAVEL_BUDGET).max(0.0);

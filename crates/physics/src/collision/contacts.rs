@@ -1,13 +1,15 @@
 //! Contact manifolds of a cluster, sorted by their keys, and the detection that updates them.
 
-use glam::DVec3;
 use serde::{Deserialize, Serialize};
 
 use crate::body::{Bodies, FLOOR, Shapes, rotate_tensor};
-use crate::collision::box_box::{Cuboid, PairStatus, box_box, box_floor};
+use crate::collision::box_box::box_box;
+use crate::collision::box_floor::box_floor;
 use crate::collision::broad_phase::{Aabb, Neighbours, overlapping_pairs};
+use crate::collision::cuboid::Cuboid;
 use crate::collision::manifold::{Manifold, key};
-use crate::constants::{MARGIN_RANGE, MARGIN_SHARE, MARGIN_TIME, MIN_NEAR_TRAVEL, STRAIN_INERTIA};
+use crate::collision::pair_status::PairStatus;
+use crate::constants::{MARGIN_RANGE, MARGIN_SHARE, MARGIN_TIME, STRAIN_INERTIA};
 
 /// Largest number of new manifolds that are inserted one by one; more are appended and sorted.
 const MAX_INSERTIONS: usize = 8;
@@ -99,14 +101,19 @@ impl Contacts {
         for &(low, high) in pairs {
             let index = self.find((low, high));
             let last = index.map(|i| &self.manifolds[i]);
-            match (test_pair(shapes, bodies, [low, high], last, &mut next), index) {
-                (PairStatus::Apart, _) => {}
-                (PairStatus::Near(distance), _) => shrink_margins(shapes, bodies, [low, high], distance),
-                (PairStatus::Touching, Some(i)) => {
+            let status = test_pair(shapes, bodies, [low, high], last, &mut next);
+            match (status, index) {
+                (PairStatus::Apart | PairStatus::Near(_), _) => {}
+                (PairStatus::Touching(_), Some(i)) => {
                     touching[i] = true;
                     self.manifolds[i].copy_from(&next);
                 }
-                (PairStatus::Touching, None) => found.push(next.clone()),
+                (PairStatus::Touching(_), None) => found.push(next.clone()),
+            }
+            if let PairStatus::Near(travel) | PairStatus::Touching(travel) = status
+                && travel.is_finite()
+            {
+                shrink_margins(shapes, bodies, [low, high], travel);
             }
         }
         // Manifolds of due bodies that were not found again are removed.
@@ -156,8 +163,14 @@ pub fn needs_detection(shapes: &Shapes, bodies: &Bodies, i: usize) -> bool {
 /// Box of a body in the world; that of the floor has no size.
 pub fn cuboid(shapes: &Shapes, bodies: &Bodies, i: u32) -> Cuboid {
     let (center, axes) = bodies.pose(i);
-    let half = if i == FLOOR { DVec3::ZERO } else { bodies.half(shapes, i as usize) };
-    Cuboid { body: i, center, axes, half }
+    let mut cuboid = Cuboid { body: i, center, axes, ..Cuboid::default() };
+    if i != FLOOR {
+        let i = i as usize;
+        (cuboid.half, cuboid.radius) = (bodies.half(shapes, i), shapes.edge_radius[i]);
+        (cuboid.velocity, cuboid.spin) = (bodies.velocity[i], bodies.spin[i]);
+        (cuboid.lookahead, cuboid.contact_time) = (shapes.lookahead[i], shapes.contact_time[i]);
+    }
+    cuboid
 }
 
 /// Tests a pair. Where it touches, `to` becomes its manifold, with the history of `last`.
@@ -176,7 +189,7 @@ fn test_pair(
         let limit = bodies.margin[low as usize] + bodies.margin[high as usize];
         box_box(&low_box, &high_box, limit, axis, to)
     };
-    if status != PairStatus::Touching {
+    if !matches!(status, PairStatus::Touching(_)) {
         return status;
     }
     unstrain_anchors(to, shapes, bodies);
@@ -185,7 +198,7 @@ fn test_pair(
         let (r, last_r) = (of(to.a).axes, of(last.a).axes);
         to.inherit_history(last, |d| r * d, |d| last_r * d);
     }
-    to.mobility = mobility(to, shapes, of(to.a), of(to.b));
+    to.mobility = mobility(to, shapes, bodies, [of(to.a), of(to.b)]);
     status
 }
 
@@ -200,21 +213,24 @@ fn unstrain_anchors(manifold: &mut Manifold, shapes: &Shapes, bodies: &Bodies) {
     }
 }
 
-/// Shrinks the margins of two bodies that are near but have no manifold, so that they are tested
-/// again before they have closed `distance` (m). Otherwise a block that passes an edge would be
-/// found only when it overlaps by a whole margin.
-fn shrink_margins(shapes: &Shapes, bodies: &mut Bodies, pair: [u32; 2], distance: f64) {
+/// Shrinks the margins of two bodies, so that they are tested again before either has travelled by
+/// `travel` (m). Otherwise a block that passes an edge would be found only when it overlaps by a
+/// whole margin, and would have the normal of an edge that it has long passed.
+fn shrink_margins(shapes: &Shapes, bodies: &mut Bodies, pair: [u32; 2], travel: f64) {
     for i in pair.map(|i| i as usize) {
         let travelled = bodies.travel_since(shapes, i, bodies.detection_pose[i]);
-        bodies.margin[i] = bodies.margin[i].min(travelled + (0.5 * distance).max(MIN_NEAR_TRAVEL));
+        bodies.margin[i] = bodies.margin[i].min(travelled + travel);
     }
 }
 
-/// Inverse effective mass of the two bodies of a manifold at its patch, 1/kg; that of the floor is
-/// zero.
-fn mobility(manifold: &Manifold, shapes: &Shapes, a: &Cuboid, b: &Cuboid) -> f64 {
+/// Inverse effective mass of the two bodies of a manifold at its patch, 1/kg; that of the floor and
+/// of fixed bodies is zero.
+fn mobility(manifold: &Manifold, shapes: &Shapes, bodies: &Bodies, [a, b]: [&Cuboid; 2]) -> f64 {
     let centroid = a.center + a.axes * manifold.centroid;
     let of = |c: &Cuboid| {
+        if c.body == FLOOR || bodies.fixed[c.body as usize] {
+            return 0.0;
+        }
         let i = c.body as usize;
         let arm = centroid - c.center;
         let inv_inertia = rotate_tensor(c.axes, shapes.inertia[i].recip());
@@ -224,5 +240,5 @@ fn mobility(manifold: &Manifold, shapes: &Shapes, a: &Cuboid, b: &Cuboid) -> f64
         let affine = manifold.affine_mobility(shapes.mass[i], inv_squares, arm, |d| a.axes * d);
         rigid + (affine - rigid) / STRAIN_INERTIA
     };
-    of(b) + if manifold.a == FLOOR { 0.0 } else { of(a) }
+    of(b) + of(a)
 }

@@ -10,7 +10,7 @@ use serde::{Deserialize, Serialize};
 use crate::body::{Bodies, FLOOR};
 use crate::collision::friction_levers::FrictionLevers;
 use crate::collision::polygon::{MAX_CORNERS, Patch};
-use crate::constants::{AREA_RANGE, REFERENCE_AREA};
+use crate::constants::{MIN_AREA, REFERENCE_AREA};
 
 /// Separating axis of a pair.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
@@ -21,6 +21,8 @@ pub enum SeparatingAxis {
     FaceHigh(u8),
     /// Cross product of two edges: 3 * (axis of the lower body) + axis of the higher.
     Edges(u8),
+    /// Line between the nearest points of two cores.
+    Cores,
 }
 
 /// Contact point of a manifold.
@@ -61,7 +63,8 @@ pub struct Manifold {
     pub frame: [DVec3; 3],
     /// Centroid of the patch in A's frame, m.
     pub centroid: DVec3,
-    /// Area of the patch over [`REFERENCE_AREA`], clamped: stiffness over that of the scene.
+    /// Area of the patch over [`REFERENCE_AREA`], at least [`MIN_AREA`]: stiffness over that of the
+    /// scene.
     pub area_ratio: f64,
     /// Where friction acts.
     pub levers: FrictionLevers,
@@ -107,7 +110,7 @@ impl Manifold {
         points: impl IntoIterator<Item = ContactPoint>,
     ) {
         (self.a, self.b, self.frame, self.centroid) = (a, b, frame, centroid);
-        self.area_ratio = (patch.area / REFERENCE_AREA).clamp(AREA_RANGE.0, AREA_RANGE.1);
+        self.area_ratio = (patch.area / REFERENCE_AREA).max(MIN_AREA);
         self.mobility = 0.0;
         self.points.clear();
         self.points.extend(points);

@@ -1,8 +1,16 @@
 //! Collision detection: swept bounds, box against box and box against floor, contact manifolds.
 
 pub mod box_box;
+pub mod box_floor;
 pub mod broad_phase;
 pub mod contacts;
+pub mod cuboid;
+pub mod edge_contact;
+pub mod face_contact;
 pub mod friction_levers;
+pub mod lookahead;
 pub mod manifold;
+pub mod nearest;
+pub mod pair_status;
 pub mod polygon;
+pub mod separating_axis;

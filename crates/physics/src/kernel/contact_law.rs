@@ -10,7 +10,7 @@ use crate::constants::{MAXWELL_TIME, STRIBECK_SPEED, TANGENTIAL_DAMPING, TANGENT
 use crate::derived::Derived;
 use crate::kernel::body_model::{BodyModel, RelativeMotion};
 use crate::kernel::layout::{Group, PointLanes, Row};
-use crate::kernel::vector::{load, load3};
+use crate::kernel::vector::{LaneArray, load, load3};
 use crate::simd::lanes::{LANES, Lanes, Real};
 
 /// Constants of the contact law.
@@ -22,10 +22,6 @@ pub struct ContactLaw<R> {
     pub tangential_stiffness: R,
     /// Tangential over normal ratio of damping to stiffness.
     pub tangential_damping_time: R,
-    /// Kinetic coefficient of friction.
-    pub mu_kinetic: R,
-    /// Static minus kinetic coefficient of friction.
-    pub mu_excess: R,
     /// Inverse square of the displacement in a substep at [`STRIBECK_SPEED`], 1/m².
     pub stribeck: R,
 }
@@ -38,8 +34,6 @@ impl<R: Real> ContactLaw<R> {
             maxwell_decay: R::from_f64(1.0 - derived.h / MAXWELL_TIME),
             tangential_stiffness: R::from_f64(TANGENTIAL_STIFFNESS),
             tangential_damping_time: R::from_f64(TANGENTIAL_DAMPING / TANGENTIAL_STIFFNESS),
-            mu_kinetic: R::from_f64(derived.mu.1),
-            mu_excess: R::from_f64(derived.mu.0 - derived.mu.1),
             stribeck: R::from_f64(1.0 / (displacement * displacement)),
         }
     }
@@ -106,6 +100,8 @@ struct PartLaw<'a, L: Lanes> {
     law: &'a ContactLaw<L::Scalar>,
     /// Damping over stiffness, substeps.
     damping_time: L,
+    /// Kinetic coefficient of friction, and what the static one exceeds it by.
+    friction: [&'a LaneArray<L::Scalar>; 2],
 }
 
 /// Returns its argument in a way that hides from the compiler that it is the same: what is loaded
@@ -135,7 +131,9 @@ fn contact_wrench<L: Lanes, M: RelativeMotion<L>>(
     motion: &M,
 ) -> M::Wrench {
     let mut wrench = M::zero_wrench();
-    let law = PartLaw { part, again: reload(part), law, damping_time: load(&group.damping_time, part) };
+    let damping_time = load(&group.damping_time, part);
+    let friction = [&group.mu_kinetic, &group.mu_excess];
+    let law = PartLaw { part, again: reload(part), law, damping_time, friction };
     let [p, q, r, s] = &mut group.points;
     if count > 0 {
         contact_point(p, &law, motion, &mut wrench);
@@ -156,7 +154,7 @@ fn contact_wrench<L: Lanes, M: RelativeMotion<L>>(
 #[inline(always)]
 fn contact_point<L: Lanes, M: RelativeMotion<L>>(
     p: &mut PointLanes<L::Scalar>,
-    &PartLaw { part, again, law, damping_time }: &PartLaw<L>,
+    &PartLaw { part, again, law, damping_time, friction }: &PartLaw<L>,
     motion: &M,
     wrench: &mut M::Wrench,
 ) {
@@ -193,10 +191,12 @@ fn contact_point<L: Lanes, M: RelativeMotion<L>>(
     let mut s2 = L::mask(closed, load::<L>(&p.tangential[1], part) + u2);
     let mut s3 = L::mask(closed, load::<L>(&p.tangential[2], part) + u3);
     let (mut g1, mut g2, mut g3) = (kt * (s1 + ct * u1), kt * (s2 + ct * u2), kt * (s3 + ct * u3));
-    let limit = L::splat(law.mu_kinetic) * normal_force;
+    let limit = load::<L>(friction[0], part) * normal_force;
     let square = (g1 * g1 + g2 * g2) + g3 * g3;
     if L::any((limit * limit).less_than(square)) {
-        let q = cone_scale(law, -normal_force, (u1 * u1 + u2 * u2) + u3 * u3, square);
+        let speed = ((u1 * u1 + u2 * u2) + u3 * u3) * L::splat(law.stribeck);
+        let mu = load::<L>(friction[0], part) + load::<L>(friction[1], part) / (L::splat_f64(1.0) + speed);
+        let q = cone_scale(mu * -normal_force, square);
         (s1, s2, s3, g1, g2, g3) = (s1 * q, s2 * q, s3 * q, g1 * q, g2 * q, g3 * q);
     }
     s1.store(&mut p.tangential[0].0, part);
@@ -207,16 +207,13 @@ fn contact_point<L: Lanes, M: RelativeMotion<L>>(
     M::subtract_force(wrench, &[normal_force, g1, g2, g3], &arm, &load3(&p.friction_arm, again));
 }
 
-/// Factor that scales friction and its springs back to Coulomb's cone, from the normal force and
-/// the squares of speed and friction.
+/// Factor that scales friction and its springs back to Coulomb's cone, from the limit of friction
+/// and its square.
 ///
-/// The cone narrows from static to kinetic friction with the sliding speed, mu = mu_k + (mu_s -
+/// The limit falls from static to kinetic friction with the sliding speed, mu = mu_k + (mu_s -
 /// mu_k) / (1 + (u / u_s)²), so that a sliding contact does not stick in each substep.
 #[inline(always)]
-fn cone_scale<L: Lanes>(law: &ContactLaw<L::Scalar>, normal: L, speed_squared: L, friction_squared: L) -> L {
-    let one = L::splat_f64(1.0);
-    let mu = L::splat(law.mu_kinetic) + L::splat(law.mu_excess) / (one + speed_squared * L::splat(law.stribeck));
-    let limit = mu * normal;
+fn cone_scale<L: Lanes>(limit: L, friction_squared: L) -> L {
     let friction = friction_squared.sqrt();
-    L::select(limit.less_than(friction), limit / friction, one)
+    L::select(limit.less_than(friction), limit / friction, L::splat_f64(1.0))
 }

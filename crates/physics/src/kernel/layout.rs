@@ -41,6 +41,10 @@ pub struct Group<R> {
     pub centroid: [LaneArray<R>; 3],
     /// Damping over stiffness, substeps.
     pub damping_time: LaneArray<R>,
+    /// Kinetic coefficient of friction.
+    pub mu_kinetic: LaneArray<R>,
+    /// Static minus kinetic coefficient of friction.
+    pub mu_excess: LaneArray<R>,
     /// Points by slot.
     pub points: [PointLanes<R>; SLOTS],
 }
@@ -56,6 +60,8 @@ impl<R: Real> Group<R> {
             frame: Default::default(),
             centroid: Default::default(),
             damping_time: LaneArray::default(),
+            mu_kinetic: LaneArray::default(),
+            mu_excess: LaneArray::default(),
             points: [open; SLOTS],
         }
     }
@@ -83,7 +89,11 @@ impl<R: Real> Group<R> {
     /// Resets lane `l` to an open contact of the floor with itself.
     pub fn clear_lane(&mut self, l: usize, floor: u32) {
         (self.a[l], self.b[l], self.counts[l]) = (floor, floor, 0);
-        for axis in self.frame.iter_mut().flatten().chain(&mut self.centroid).chain([&mut self.damping_time]) {
+        for axis in self.frame.iter_mut().flatten().chain(&mut self.centroid).chain([
+            &mut self.damping_time,
+            &mut self.mu_kinetic,
+            &mut self.mu_excess,
+        ]) {
             axis.0[l] = R::default();
         }
         for p in &mut self.points {

@@ -160,7 +160,9 @@ impl Packing {
             let (group, l) = (&mut kernel.groups[index / LANES], index % LANES);
             (group.a[l], group.b[l]) = (rows_a, rows_b);
             self.pack_geometry(group, l, manifold, input.bodies);
-            let (stiffness, damping) = stable_spring(manifold, input.shapes, input.derived);
+            let [kinetic, excess] = friction(manifold, input.shapes, input.derived);
+            (group.mu_kinetic.0[l], group.mu_excess.0[l]) = (R::from_f64(kinetic), R::from_f64(excess));
+            let (stiffness, damping) = stable_spring(manifold, input);
             pack_points(group, l, &entry, manifold, (stiffness, damping / stiffness / input.derived.h));
             for i in [entry.a, entry.b].into_iter().filter(|&i| i != FLOOR) {
                 self.entry_counts[i as usize] += 1;
@@ -277,6 +279,17 @@ fn pack_points<R: Real>(
     }
 }
 
+/// Kinetic coefficient of friction of a manifold, and what the static one exceeds it by. A pair has
+/// the geometric mean of its bodies.
+fn friction(manifold: &Manifold, shapes: &Shapes, derived: &Derived) -> [f64; 2] {
+    let of = |i: u32| if i == FLOOR { derived.friction } else { shapes.friction[i as usize] };
+    let (a, b) = (of(manifold.a), of(manifold.b));
+    // The root of a square is not always the number.
+    let fixed = if a == b { a } else { (a * b).sqrt() };
+    let kinetic = fixed * derived.kinetic_ratio;
+    [kinetic, fixed - kinetic]
+}
+
 /// Stiffness (N/m) and damping (N s/m) of a manifold, limited to what the explicit step can
 /// integrate.
 ///
@@ -286,8 +299,9 @@ fn pack_points<R: Real>(
 /// to 0.6 of that part and damping to the remainder. Crossed nominal blocks are within the limit,
 /// for the substep is derived from them, see [`crate::derived`]; blocks lying flat on each other
 /// would exceed it.
-fn stable_spring(manifold: &Manifold, shapes: &Shapes, derived: &Derived) -> (f64, f64) {
-    let inv = |i: u32| if i == FLOOR { 0.0 } else { shapes.mass[i as usize].recip() };
+fn stable_spring(manifold: &Manifold, &PackInput { shapes, bodies, derived, .. }: &PackInput) -> (f64, f64) {
+    let held = |i: u32| i == FLOOR || bodies.fixed[i as usize];
+    let inv = |i: u32| if held(i) { 0.0 } else { shapes.mass[i as usize].recip() };
     let mass = (inv(manifold.a) + inv(manifold.b)).recip();
     let limit = if manifold.a == FLOOR { FLOOR_STEP_LIMIT } else { STEP_LIMIT };
     let (h, x) = (derived.h, manifold.mobility);

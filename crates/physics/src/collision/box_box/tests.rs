@@ -6,7 +6,9 @@ use glam::{DMat3, DQuat, DVec2, DVec3};
 use proptest::prelude::*;
 
 use super::*;
-use crate::constants::AREA_RANGE;
+use crate::body::FLOOR;
+use crate::collision::box_floor::box_floor;
+use crate::constants::{CORNER_MERGE, EDGE_PREFERENCE, MIN_AREA, MIN_EDGE_SINE, MIN_EDGE_TILT, REFERENCE_AREA};
 
 fn cuboid(body: u32, size: [f64; 3], q: [f64; 4], center: [f64; 3]) -> Cuboid {
     Cuboid {
@@ -14,6 +16,7 @@ fn cuboid(body: u32, size: [f64; 3], q: [f64; 4], center: [f64; 3]) -> Cuboid {
         center: center.into(),
         axes: DMat3::from_quat(DQuat::from_array(q).normalize()),
         half: DVec3::from(size) / 2.0,
+        ..Cuboid::default()
     }
 }
 
@@ -37,7 +40,7 @@ fn pairs() -> impl Strategy<Value = (Cuboid, Cuboid)> {
 
 fn manifold(a: &Cuboid, b: &Cuboid, limit: f64, last: Option<SeparatingAxis>) -> Option<Manifold> {
     let mut found = Manifold::new();
-    (box_box(a, b, limit, last, &mut found) == PairStatus::Touching).then_some(found)
+    (box_box(a, b, limit, last, &mut found) == PairStatus::Touching(f64::INFINITY)).then_some(found)
 }
 
 fn vertices(c: &Cuboid) -> [DVec3; 8] {
@@ -173,7 +176,7 @@ proptest! {
             DVec2::new(p[iu], p[iv])
         });
         let expected = overlap_area(quad, ca.half[iu], ca.half[iv]);
-        let clamped = (expected / REFERENCE_AREA).clamp(AREA_RANGE.0, AREA_RANGE.1);
+        let clamped = (expected / REFERENCE_AREA).max(MIN_AREA);
         // Merging corners changes the area by at most their distance times the circumference.
         let tolerance = CORNER_MERGE * 4.0 * (ca.half[iu] + ca.half[iv]) / REFERENCE_AREA;
         prop_assert!((m.area_ratio - clamped).abs() < tolerance, "{} instead of {clamped}", m.area_ratio);
@@ -220,7 +223,7 @@ fn a_box_meets_the_floor_with_its_lowest_face() {
     let flat = cuboid(0, [0.081, 0.0268, 0.018], [0.0, 0.0, 0.3, 1.0], [0.3, 0.2, 0.009]);
     let on_floor = |c: &Cuboid, limit| {
         let mut found = Manifold::new();
-        (box_floor(c, limit, None, &mut found) == PairStatus::Touching).then_some(found)
+        (box_floor(c, limit, None, &mut found) == PairStatus::Touching(f64::INFINITY)).then_some(found)
     };
     let m = on_floor(&flat, 1e-4).unwrap();
     assert_eq!((m.points.len(), m.a), (4, FLOOR));

@@ -1,0 +1,58 @@
+//! Box against floor.
+
+use glam::DVec3;
+
+use crate::body::FLOOR;
+use crate::collision::cuboid::Cuboid;
+use crate::collision::manifold::{ContactPoint, Manifold, SeparatingAxis};
+use crate::collision::pair_status::PairStatus;
+use crate::collision::polygon::{Corner, Patch};
+
+/// Index of the axis of a box whose face is lowest, given the world's upward direction in the box's
+/// frame. Hysteresis keeps a box balanced on an edge on the face of the last detection.
+#[inline]
+fn lowest_face(up: DVec3, last: Option<SeparatingAxis>) -> usize {
+    let mut k = 0;
+    let mut best = f64::NEG_INFINITY;
+    for i in 0..3 {
+        let merit = up[i].abs() + if last == Some(SeparatingAxis::FaceHigh(i as u8)) { 0.01 } else { 0.0 };
+        if merit > best {
+            best = merit;
+            k = i;
+        }
+    }
+    k
+}
+
+/// Tests a box against the floor z = 0; they are apart where the box is higher than `limit` (m).
+/// The points are the corners of its lowest face.
+pub fn box_floor(b: &Cuboid, limit: f64, last: Option<SeparatingAxis>, to: &mut Manifold) -> PairStatus {
+    let up = b.axes.transpose() * DVec3::Z;
+    if b.center.z - up.abs().dot(b.half) > limit {
+        return PairStatus::Apart;
+    }
+    let k = lowest_face(up, last);
+    let outward = if up[k] > 0.0 { -1.0 } else { 1.0 };
+    let (ip, iq) = ((k + 1) % 3, (k + 2) % 3);
+    let mut center = DVec3::ZERO;
+    center[k] = outward * b.half[k];
+    let sides = [(1.0, 1.0), (-1.0, 1.0), (-1.0, -1.0), (1.0, -1.0)];
+    let patch = Patch::new(&sides.map(|(x, y)| Corner { u: x * b.half[ip], v: y * b.half[iq], gap: 0.0 }));
+    let ground = |local: DVec3| {
+        let x = b.center + b.axes * local;
+        DVec3::new(x.x, x.y, 0.0)
+    };
+    let centroid = ground(center);
+    let points = sides.iter().map(|(x, y)| {
+        let mut anchor_b = center;
+        anchor_b[ip] = x * b.half[ip];
+        anchor_b[iq] = y * b.half[iq];
+        let x = b.center + b.axes * anchor_b;
+        let anchor_a = DVec3::new(x.x, x.y, 0.0);
+        let arm = anchor_a - centroid;
+        ContactPoint { anchor_a, anchor_b, arm: [arm.x, arm.y], weight: 0.25, gap: x.z, ..ContactPoint::default() }
+    });
+    to.axis = SeparatingAxis::FaceHigh(k as u8);
+    to.set([FLOOR, b.body], ([DVec3::Z, DVec3::X, DVec3::Y], centroid), &patch, points);
+    PairStatus::Touching(f64::INFINITY)
+}

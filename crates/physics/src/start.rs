@@ -1,0 +1,181 @@
+//! Start of a world: what touches carries its weight from the first instant.
+//!
+//! Full gravity at once would drop a tower onto its springs and rock what is nearly balanced. So a
+//! new world settles before its time begins: gravity grows while motion is damped, until the blocks
+//! of each island that bears on the floor or a fixed block have compressed their contacts. What is
+//! in the air waits. An island that does not come to rest, because it falls or slides, begins in
+//! the poses of the scene.
+
+use glam::DVec3;
+
+use crate::body::{Bodies, FLOOR, middle_edge};
+use crate::body_id::BodyId;
+use crate::cluster::island::islands;
+use crate::collision::manifold::Manifold;
+use crate::constants::{START_DAMPING, START_RAMP, START_REACH, START_SPEED, START_TIME, TOUCH_GAP};
+use crate::input::Input;
+use crate::pose::Twist;
+use crate::world::World;
+
+/// State of an island of a new world.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum Island {
+    /// In the air.
+    Free,
+    /// Bears on the floor or a fixed block, and settles.
+    Settling,
+    /// Has come to rest.
+    Settled,
+    /// Falls or slides.
+    Restless,
+}
+
+/// Islands of a new world.
+struct Islands {
+    /// Island of each body: the lowest index of a body in it.
+    root: Vec<u32>,
+    /// State of each island, at the index of its lowest body.
+    states: Vec<Island>,
+}
+
+impl Islands {
+    fn of(&self, body: BodyId) -> Island {
+        self.states[self.root[body.index()] as usize]
+    }
+
+    fn set(&mut self, body: BodyId, state: Island) {
+        self.states[self.root[body.index()] as usize] = state;
+    }
+
+    fn are_settling(&self) -> bool {
+        self.states.contains(&Island::Settling)
+    }
+}
+
+impl World {
+    /// Compresses the contacts of all that touches; the time stays zero.
+    pub(crate) fn settle_start(&mut self) {
+        let mut islands = self.start_islands();
+        if !islands.are_settling() {
+            return;
+        }
+        let initial = self.clone();
+        for body in self.bodies() {
+            self.hold(body, islands.of(body) != Island::Settling);
+            self.set_twist(body, Twist { velocity: DVec3::ZERO, spin: DVec3::ZERO });
+        }
+        (self.derived.ramp, self.derived.sleep) = (START_RAMP, false);
+        while self.time < START_TIME && islands.are_settling() {
+            self.step(&Input::default());
+            self.judge_islands(&initial, &mut islands);
+            for body in self.bodies() {
+                match islands.of(body) {
+                    Island::Settling => self.slow(body),
+                    Island::Free | Island::Settled | Island::Restless => self.hold(body, true),
+                }
+            }
+        }
+        self.begin(&initial, |body| islands.of(body) == Island::Settled);
+    }
+
+    /// Updates the states of the islands that settle.
+    fn judge_islands(&self, initial: &Self, islands: &mut Islands) {
+        let mut quiet = vec![true; self.len()];
+        for body in self.bodies() {
+            let (cluster, i) = self.clusters.get(body.0);
+            let root = islands.root[body.index()] as usize;
+            quiet[root] &= cluster.bodies.max_point_speed(&cluster.shapes, i) < START_SPEED;
+            let start = initial.pose(body);
+            let moved = cluster.bodies.travel_since(&cluster.shapes, i, (start.position, start.orientation));
+            if islands.of(body) == Island::Settling && moved > START_REACH * middle_edge(cluster.shapes.half[i]) {
+                islands.set(body, Island::Restless);
+            }
+        }
+        let last = self.time + self.derived.frame > START_TIME;
+        for (state, quiet) in islands.states.iter_mut().zip(quiet).filter(|(state, _)| **state == Island::Settling) {
+            if quiet && self.time > START_RAMP {
+                *state = Island::Settled;
+            } else if last {
+                *state = Island::Restless;
+            }
+        }
+    }
+
+    /// Islands at the start: those that bear on something settle.
+    fn start_islands(&self) -> Islands {
+        let mut pairs = Vec::new();
+        let mut borne = vec![false; self.len()];
+        for cluster in &self.clusters.list {
+            let touches = |m: &&Manifold| m.points.iter().any(|p| p.gap < TOUCH_GAP);
+            let held = |i: u32| i == FLOOR || cluster.bodies.fixed[i as usize];
+            for manifold in cluster.contacts.manifolds.iter().filter(touches) {
+                match (held(manifold.a), held(manifold.b)) {
+                    (false, false) => pairs.push((cluster.ids[manifold.a as usize], cluster.ids[manifold.b as usize])),
+                    (true, false) => borne[cluster.ids[manifold.b as usize] as usize] = true,
+                    (false, true) => borne[cluster.ids[manifold.a as usize] as usize] = true,
+                    (true, true) => {}
+                }
+            }
+        }
+        let root = islands(self.len(), pairs.into_iter());
+        let mut states = vec![Island::Free; self.len()];
+        for (&root, borne) in root.iter().zip(borne) {
+            if borne {
+                states[root as usize] = Island::Settling;
+            }
+        }
+        Islands { root, states }
+    }
+
+    /// Ends the settling: time begins, with the bodies in their settled poses where `settled`, else
+    /// in those of `initial`, and with its velocities.
+    fn begin(&mut self, initial: &Self, settled: impl Fn(BodyId) -> bool) {
+        (self.derived, self.time, self.gravity) = (initial.derived, 0.0, initial.gravity);
+        for body in self.bodies() {
+            let (from, i) = initial.clusters.get(body.0);
+            let (to, j) = self.clusters.get_mut(body.0);
+            to.bodies.fixed[j] = from.bodies.fixed[i];
+            to.bodies.quarantined[j] = false;
+            to.bodies.asleep[j] = false;
+            if !settled(body) {
+                to.bodies.put(j, &from.bodies, i);
+                if let Some(particles) = to.particles.get_mut(j) {
+                    *particles = from.particles[i];
+                    to.bodies.stretch[j] = from.bodies.stretch[i];
+                }
+            }
+            to.bodies.acceleration[j] = 0.0;
+            to.bodies.rest_time[j] = 0.0;
+            to.bodies.rest_pose[j] = (to.bodies.position[j], to.bodies.orientation[j]);
+            self.set_twist(body, initial.twist(body));
+        }
+        for cluster in &mut self.clusters.list {
+            cluster.contacts.detect_all(&cluster.shapes, &mut cluster.bodies);
+            cluster.outgrown = true;
+        }
+        self.write_poses();
+    }
+
+    /// Holds a body in place where `held`.
+    fn hold(&mut self, body: BodyId, held: bool) {
+        let (cluster, i) = self.clusters.get_mut(body.0);
+        if held && !cluster.bodies.fixed[i] {
+            cluster.bodies.fixed[i] = true;
+            cluster.bodies.velocity[i] = DVec3::ZERO;
+            cluster.bodies.spin[i] = DVec3::ZERO;
+        }
+    }
+
+    /// Takes a part of a body's motion.
+    fn slow(&mut self, body: BodyId) {
+        let Twist { velocity, spin } = self.twist(body);
+        self.set_twist(body, Twist { velocity: velocity * START_DAMPING, spin: spin * START_DAMPING });
+    }
+}
+
+impl Bodies {
+    /// Puts body `j` into the pose of body `i` of `from`.
+    fn put(&mut self, j: usize, from: &Self, i: usize) {
+        (self.position[j], self.orientation[j]) = (from.position[i], from.orientation[i]);
+    }
+}
