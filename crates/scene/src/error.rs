@@ -25,10 +25,10 @@ pub enum SceneError {
     /// Failure of the reader.
     #[error("the scene cannot be read: {0}")]
     Read(String),
-    /// Text that is not JSON, or lacks a field.
+    /// Text that is not JSON, lacks a field, or has an unknown one.
     #[error("{location}{message} (line {line}, column {column})")]
     Json {
-        /// Part of the scene, followed by a colon and a space; empty where it is unknown.
+        /// Part of the scene, up to the message; empty where it is unknown.
         location: String,
         /// Value found and value expected.
         message: String,
@@ -62,6 +62,28 @@ pub enum SceneError {
         /// Range expected.
         expected: String,
     },
+    /// Angle that is in degrees.
+    #[error("{location}`{field}` is {value}, which can only be degrees: write radians, {radians:.4}")]
+    Degrees {
+        /// Block, followed by a colon and a space; empty for a field of the scene.
+        location: String,
+        /// Name of the field.
+        field: &'static str,
+        /// Value found.
+        value: f64,
+        /// The value taken as degrees, rad.
+        radians: f64,
+    },
+    /// Angle out of its range.
+    #[error("{location}`{field}` is {value}, expected an angle of at most 6.2832 rad in either direction")]
+    Angle {
+        /// Block, followed by a colon and a space; empty for a field of the scene.
+        location: String,
+        /// Name of the field.
+        field: &'static str,
+        /// Value found.
+        value: f64,
+    },
     /// Id of two blocks.
     #[error(
         "block {id}: `id` is used twice, by the blocks at indices {first} and {second} of the list, expected one block an id"
@@ -75,7 +97,7 @@ pub enum SceneError {
         second: usize,
     },
     /// Two blocks inside each other.
-    #[error("blocks {a} and {b}: `pos` makes them overlap by {depth_mm:.3} mm, expected at most 0.001 mm")]
+    #[error("blocks {a} and {b}: `pos` makes them overlap by {depth_mm:.3} mm, expected at most 0.02 mm")]
     Overlap {
         /// Id of the first block.
         a: u32,

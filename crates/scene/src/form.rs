@@ -104,8 +104,7 @@ pub const WOOD_SPRINGS: f64 = 3e7;
 /// let wood = Springs { stiffness: Some(WOOD_SPRINGS), ..Springs::default() };
 /// assert_eq!(wood.damping, 0.1);
 /// ```
-#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
-#[serde(default, deny_unknown_fields)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 pub struct Springs {
     /// Stiffness of each spring, N/m, within [`SPRING_STIFFNESS`](crate::SPRING_STIFFNESS).
     /// Defaults to the stiffness of the contacts.

@@ -1,26 +1,57 @@
 //! Scenes as JSON.
 
+mod error;
+mod fields;
+mod names;
+mod object;
+mod value;
+
 use std::io::Read;
 
 use crate::error::SceneError;
 use crate::scene::Scene;
+use crate::text::read_text;
 
 /// Maximum size of a scene's JSON, bytes: about 500,000 blocks, far below a machine's memory.
 pub const MAX_BYTES: u64 = 64_000_000;
 
 impl Scene {
-    /// Parses and validates a scene. Unknown fields are ignored.
+    /// Parses and validates a scene.
     ///
     /// # Errors
-    /// When the text is not JSON, lacks a field, or [`Scene::validate`] rejects the scene.
+    /// When the text is not JSON, lacks a field or has an unknown one, or [`Scene::validate`]
+    /// rejects the scene.
     ///
     /// ```
     /// use teeter_scene::Scene;
     ///
     /// let error = Scene::from_json("[]").unwrap_err().to_string();
     /// assert!(error.starts_with("the scene is a JSON list, expected a JSON object"));
+    /// let error = Scene::from_json(r#"{"Name": "one"}"#).unwrap_err().to_string();
+    /// assert!(error.starts_with("`Name` is not a field of a scene: did you mean `name`?"));
     /// ```
     pub fn from_json(text: &str) -> Result<Self, SceneError> {
+        let scene = Self::parse(text)?;
+        scene.validate()?;
+        Ok(scene)
+    }
+
+    /// Parses a scene without [`Scene::validate`], for a caller that repairs it.
+    ///
+    /// # Errors
+    /// When the text is not JSON, lacks a field or has an unknown one, or a field has another kind
+    /// of value.
+    ///
+    /// ```
+    /// use teeter_scene::{Scene, named};
+    ///
+    /// let mut scene = named("column").expect("the list has it");
+    /// scene.blocks[1].pos = scene.blocks[0].pos;
+    /// assert!(Scene::from_json(&scene.to_json()).is_err());
+    /// assert_eq!(Scene::parse(&scene.to_json())?, scene);
+    /// # Ok::<(), teeter_scene::SceneError>(())
+    /// ```
+    pub fn parse(text: &str) -> Result<Self, SceneError> {
         let start = text.trim_start_matches(['\u{feff}', ' ', '\t', '\r', '\n']);
         match start.chars().next() {
             None => return Err(SceneError::Empty),
@@ -31,9 +62,8 @@ impl Scene {
         }
         let text = text.trim_start_matches('\u{feff}');
         let mut reader = serde_json::Deserializer::from_str(text);
-        let scene: Scene = serde_path_to_error::deserialize(&mut reader).map_err(|e| path_error(text, e))?;
-        reader.end().map_err(|e| json_error(String::new(), &e))?;
-        scene.validate()?;
+        let scene = serde_path_to_error::deserialize(&mut reader).map_err(|e| error::located(text, &e))?;
+        reader.end().map_err(|e| error::not_json(text, &e))?;
         Ok(scene)
     }
 
@@ -51,48 +81,4 @@ impl Scene {
     pub fn read(reader: impl Read, limit: u64) -> Result<Self, SceneError> {
         Self::from_json(&read_text(reader, limit)?)
     }
-}
-
-/// Reads UTF-8 text and stops after `limit` bytes.
-///
-/// # Errors
-/// When the reader fails, offers more than `limit` bytes, or the bytes are not UTF-8.
-pub fn read_text(reader: impl Read, limit: u64) -> Result<String, SceneError> {
-    let mut bytes = Vec::new();
-    reader.take(limit.saturating_add(1)).read_to_end(&mut bytes).map_err(|e| SceneError::Read(e.to_string()))?;
-    if bytes.len() as u64 > limit {
-        return Err(SceneError::TooLarge { limit_mb: limit / 1_000_000 });
-    }
-    String::from_utf8(bytes).map_err(|e| SceneError::NotUtf8(e.utf8_error().valid_up_to()))
-}
-
-/// Names the block of an error by its id, which the author of the file knows, or by its index in
-/// the list where it has none.
-fn path_error(text: &str, error: serde_path_to_error::Error<serde_json::Error>) -> SceneError {
-    let path = error.path().to_string();
-    let location = match path.strip_prefix("blocks[").and_then(|rest| rest.split_once(']')) {
-        Some((index, field)) => {
-            let value = serde_json::from_str::<serde_json::Value>(text).ok();
-            let id = value.as_ref().and_then(|v| v["blocks"][index.parse::<usize>().ok()?]["id"].as_u64());
-            let block = id.map_or(format!("block at index {index} of the list: "), |id| format!("block {id}: "));
-            match field.trim_start_matches('.') {
-                "" => block,
-                field => format!("{block}`{field}`: "),
-            }
-        }
-        None if path == "." || path == "?" => String::new(),
-        None => format!("`{path}`: "),
-    };
-    json_error(location, error.inner())
-}
-
-fn json_error(location: String, error: &serde_json::Error) -> SceneError {
-    let message = error.to_string();
-    // serde_json ends its messages with the line and column, which are fields of their own here.
-    let message = message.rsplit_once(" at line ").map_or(message.as_str(), |(m, _)| m).to_owned();
-    let (line, column) = (error.line(), error.column());
-    if error.is_data() || message.contains("out of range") {
-        return SceneError::Json { location, message, line, column };
-    }
-    SceneError::Json { location: String::new(), message: format!("this is not JSON: {message}"), line, column }
 }

@@ -1,55 +1,82 @@
-//! Overlap of upright blocks.
-//!
-//! A block that turns only about the vertical is a rectangle in plan times an interval in height.
-//! The separating axis test on the four edge directions in plan and the vertical is exact for such
-//! blocks.
+//! Overlap of blocks, in any orientation.
 
-use crate::scene::Block;
+mod prism;
+mod rounded_box;
 
-/// Plan and swept bounds of a block.
-struct Prism {
-    /// Unit vectors along length and width.
-    axes: [[f64; 2]; 2],
-    /// Half length and half width, m.
-    half: [f64; 2],
-    /// Centre in plan, m.
-    centre: [f64; 2],
+use std::ops::ControlFlow;
+
+use glam::DVec3;
+
+use crate::scene::{Block, Scene};
+use prism::Prism;
+use rounded_box::RoundedBox;
+
+/// Maximum number of overlaps that [`pairs`] returns, so that a scene of blocks at one position
+/// does not exhaust the memory.
+pub const MAX_PAIRS: usize = 1_000_000;
+
+/// Two blocks inside each other.
+///
+/// ```
+/// use teeter_scene::{named, overlap};
+///
+/// let mut scene = named("column").expect("the list has it");
+/// scene.blocks[9].pos[2] -= 0.001;
+/// let found = overlap::pairs(&scene, 1e-6);
+/// assert_eq!((found[0].first, found[0].second), (8, 9));
+/// assert!((found[0].depth - 0.001).abs() < 1e-12);
+/// assert_eq!(found[0].direction, [0.0, 0.0, 1.0]); // the upper block leaves upwards
+/// ```
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Overlap {
+    /// Index of the first block in the scene.
+    pub first: usize,
+    /// Index of the second block in the scene, above that of the first.
+    pub second: usize,
+    /// Penetration depth, m: the minimum distance that separates them.
+    pub depth: f64,
+    /// Direction of that distance: the unit vector along which the second block leaves the first.
+    pub direction: [f64; 3],
+}
+
+/// Block prepared for tests against others.
+struct Solid {
+    shape: RoundedBox,
+    /// Prism of an upright block with sharp edges.
+    prism: Option<Prism>,
     /// Minimum of the bounds along x, y and z, m.
     min: [f64; 3],
     /// Maximum of the bounds along x, y and z, m.
     max: [f64; 3],
+    fixed: bool,
 }
 
-impl Prism {
-    fn new(b: &Block) -> Self {
-        let (s, c) = libm::sincos(b.yaw);
-        let half = [b.size[0] / 2.0, b.size[1] / 2.0];
-        let extent = [c.abs() * half[0] + s.abs() * half[1], s.abs() * half[0] + c.abs() * half[1], b.size[2] / 2.0];
-        let min = std::array::from_fn(|k| b.pos[k] - extent[k]);
-        let max = std::array::from_fn(|k| b.pos[k] + extent[k]);
-        Self { axes: [[c, s], [-s, c]], half, centre: [b.pos[0], b.pos[1]], min, max }
+impl Solid {
+    fn new(b: &Block, edge_radius: f64) -> Self {
+        let shape = RoundedBox::new(b, edge_radius);
+        let prism = (b.orientation.is_none() && edge_radius == 0.0).then(|| Prism::new(b));
+        let (min, max) = match &prism {
+            Some(prism) => (prism.min, prism.max),
+            None => {
+                let (centre, extent) = (DVec3::from_array(b.pos), shape.extent());
+                ((centre - extent).to_array(), (centre + extent).to_array())
+            }
+        };
+        Self { shape, prism, min, max, fixed: b.fixed }
     }
 
-    /// Half the width of the plan's projection on a unit vector, m.
-    fn half_width(&self, axis: [f64; 2]) -> f64 {
-        self.half[0] * dot(self.axes[0], axis).abs() + self.half[1] * dot(self.axes[1], axis).abs()
+    /// Depth of more than `tolerance` (m), and the direction in which the other block leaves this
+    /// one.
+    fn depth(&self, other: &Self, tolerance: f64) -> Option<(f64, DVec3)> {
+        match (&self.prism, &other.prism) {
+            (Some(a), Some(b)) => Some(a.depth(b)).filter(|(depth, _)| *depth > tolerance),
+            _ => self.shape.depth(&other.shape, tolerance),
+        }
     }
 }
 
-fn dot(a: [f64; 2], b: [f64; 2]) -> f64 {
-    a[0] * b[0] + a[1] * b[1]
-}
-
-fn prism_depth(a: &Prism, b: &Prism) -> f64 {
-    let mut depth = (a.max[2].min(b.max[2])) - (a.min[2].max(b.min[2]));
-    let between = [b.centre[0] - a.centre[0], b.centre[1] - a.centre[1]];
-    for axis in [a.axes[0], a.axes[1], b.axes[0], b.axes[1]] {
-        depth = depth.min(a.half_width(axis) + b.half_width(axis) - dot(between, axis).abs());
-    }
-    depth
-}
-
-/// Returns the penetration depth of two blocks, m: the minimum distance that separates them.
+/// Returns the penetration depth of two blocks with sharp edges, m: the minimum distance that
+/// separates them.
 ///
 /// A negative value means that they are apart; it is then not a distance.
 ///
@@ -61,37 +88,101 @@ fn prism_depth(a: &Prism, b: &Prism) -> f64 {
 /// assert!((overlap::depth(&a, &b) - 0.001).abs() < 1e-12);
 /// ```
 pub fn depth(a: &Block, b: &Block) -> f64 {
-    prism_depth(&Prism::new(a), &Prism::new(b))
+    rounded_depth(a, b, 0.0)
 }
 
-/// Finds the first two blocks, in order of creation, that penetrate by more than `tolerance` (m).
-/// Returns their indices and the depth (m).
-pub fn first_pair(blocks: &[Block], tolerance: f64) -> Option<(usize, usize, f64)> {
-    let prisms: Vec<Prism> = blocks.iter().map(Prism::new).collect();
-    // Sweep along the axis of the largest extent: few intervals overlap there, in a column and in a
-    // field.
+/// Returns the penetration depth of two blocks whose edges have a radius, m.
+///
+/// A negative value means that they are apart. It is their distance if the radius is above 0 or one
+/// of them has an `orientation`.
+///
+/// ```
+/// use teeter_scene::{Block, overlap};
+///
+/// // Corner to corner, each 10 mm beyond the other: rounding widens the gap between them.
+/// let a = Block::new(0, [0.1; 3], 1.0, [0.0, 0.0, 0.05]);
+/// let b = Block { id: 1, pos: [0.11, 0.11, 0.16], ..a.clone() };
+/// let gap = (0.03f64 * 0.03 * 3.0).sqrt() - 0.02;
+/// assert!((overlap::rounded_depth(&a, &b, 0.01) + gap).abs() < 1e-15);
+/// ```
+pub fn rounded_depth(a: &Block, b: &Block, edge_radius: f64) -> f64 {
+    let (a, b) = (Solid::new(a, edge_radius), Solid::new(b, edge_radius));
+    a.depth(&b, f64::NEG_INFINITY).map_or(f64::NEG_INFINITY, |(depth, _)| depth)
+}
+
+/// Finds the first two blocks, in order of creation, that penetrate by more than `tolerance` (m)
+/// and are not both fixed.
+pub fn first_pair(scene: &Scene, tolerance: f64) -> Option<Overlap> {
+    let mut found: Option<Overlap> = None;
+    let first = |found: &Option<Overlap>| found.map(|f| (f.first, f.second));
+    // The sweep is along space: a pair that was created earlier may come later.
+    let _ = sweep(scene, |solids, i, j| {
+        if first(&found).is_none_or(|pair| (i, j) < pair) {
+            found = overlap(solids, (i, j), tolerance).or(found);
+        }
+        ControlFlow::Continue(())
+    });
+    found
+}
+
+/// Returns all overlaps of more than `tolerance` (m) between blocks that are not both fixed, in the
+/// order of creation of the first and then of the second block; the first [`MAX_PAIRS`] that are
+/// found.
+pub fn pairs(scene: &Scene, tolerance: f64) -> Vec<Overlap> {
+    let mut found = Vec::new();
+    let _ = sweep(scene, |solids, i, j| {
+        found.extend(overlap(solids, (i, j), tolerance));
+        if found.len() < MAX_PAIRS { ControlFlow::Continue(()) } else { ControlFlow::Break(()) }
+    });
+    found.sort_unstable_by_key(|pair| (pair.first, pair.second));
+    found
+}
+
+fn overlap(solids: &[Solid], (first, second): (usize, usize), tolerance: f64) -> Option<Overlap> {
+    let (depth, direction) = solids[first].depth(&solids[second], tolerance)?;
+    Some(Overlap { first, second, depth, direction: direction.to_array() })
+}
+
+/// Calls `visit` with each two blocks, the lower index first, whose bounds overlap and that are not
+/// both fixed.
+fn sweep(scene: &Scene, mut visit: impl FnMut(&[Solid], usize, usize) -> ControlFlow<()>) -> ControlFlow<()> {
+    let solids: Vec<Solid> = scene.blocks.iter().map(|b| Solid::new(b, scene.edge_radius)).collect();
+    // Along the axis of the largest extent few intervals overlap, in a column and in a field.
     let spread = |k: usize| {
-        let max = prisms.iter().map(|p| p.max[k]).fold(f64::NEG_INFINITY, f64::max);
-        max - prisms.iter().map(|p| p.min[k]).fold(f64::INFINITY, f64::min)
+        let max = solids.iter().map(|p| p.max[k]).fold(f64::NEG_INFINITY, f64::max);
+        max - solids.iter().map(|p| p.min[k]).fold(f64::INFINITY, f64::min)
     };
     let along = (0..3).max_by(|&a, &b| spread(a).total_cmp(&spread(b))).unwrap_or(0);
-    let mut order: Vec<usize> = (0..prisms.len()).collect();
-    order.sort_by(|&a, &b| prisms[a].min[along].total_cmp(&prisms[b].min[along]).then(a.cmp(&b)));
-    let mut found: Option<(usize, usize, f64)> = None;
+    let mut order: Vec<usize> = (0..solids.len()).collect();
+    order.sort_by(|&a, &b| solids[a].min[along].total_cmp(&solids[b].min[along]).then(a.cmp(&b)));
     for (rank, &i) in order.iter().enumerate() {
         for &j in &order[rank + 1..] {
-            if prisms[j].min[along] > prisms[i].max[along] - tolerance {
+            let (a, b) = (&solids[i], &solids[j]);
+            if b.min[along] > a.max[along] {
                 break;
             }
-            let pair = (i.min(j), i.max(j));
-            if found.is_some_and(|(a, b, _)| (a, b) <= pair) {
-                continue;
-            }
-            let depth = prism_depth(&prisms[i], &prisms[j]);
-            if depth > tolerance {
-                found = Some((pair.0, pair.1, depth));
+            let is_near = (0..3).all(|k| a.min[k] < b.max[k] && b.min[k] < a.max[k]);
+            if is_near && !(a.fixed && b.fixed) {
+                visit(&solids, i.min(j), i.max(j))?;
             }
         }
     }
-    found
+    ControlFlow::Continue(())
+}
+
+/// Returns the height of a block's lowest point, m, if its edges have this radius.
+///
+/// ```
+/// use teeter_scene::{Block, overlap};
+///
+/// // A cube on its edge.
+/// let q = Some([0.0, 0.3826834323650898, 0.0, 0.9238795325112867]);
+/// let cube = Block { orientation: q, ..Block::new(0, [0.1; 3], 1.0, [0.0, 0.0, 0.1]) };
+/// assert!((overlap::lowest_point(&cube, 0.0) - (0.1 - 0.05 * 2f64.sqrt())).abs() < 1e-15);
+/// ```
+pub fn lowest_point(block: &Block, edge_radius: f64) -> f64 {
+    match block.orientation {
+        None => block.pos[2] - block.size[2] / 2.0,
+        Some(_) => block.pos[2] - RoundedBox::new(block, edge_radius).extent().z,
+    }
 }

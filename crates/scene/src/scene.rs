@@ -1,7 +1,7 @@
 //! The scene: blocks on a floor and the constants of their contact. Plain data in SI units; z
 //! points up and the floor is z = 0.
 
-use serde::{Deserialize, Serialize};
+use serde::Serialize;
 
 use crate::form::{Form, Springs};
 
@@ -17,7 +17,7 @@ use crate::form::{Form, Springs};
 /// let sliding = Block { yaw: 0.1, velocity: [0.5, 0.0, 0.0], ..block };
 /// assert!((sliding.rotation()[2] - 0.05).abs() < 1e-4);
 /// ```
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[derive(Debug, Clone, PartialEq)]
 pub struct Block {
     /// Id, unique in the scene.
     pub id: u32,
@@ -28,23 +28,17 @@ pub struct Block {
     /// Position of the centre, m.
     pub pos: [f64; 3],
     /// Rotation about the vertical through the centre, rad; zero where `orientation` is given.
-    #[serde(default)]
     pub yaw: f64,
     /// Orientation as a unit quaternion x, y, z, w, for a block that does not stand upright.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
     pub orientation: Option<[f64; 4]>,
     /// Velocity of the centre at the start, m/s.
-    #[serde(default, skip_serializing_if = "is_zero")]
     pub velocity: [f64; 3],
     /// Angular velocity at the start, in the world, rad/s.
-    #[serde(default, skip_serializing_if = "is_zero")]
     pub spin: [f64; 3],
     /// The block never moves, as the edge of a table.
-    #[serde(default, skip_serializing_if = "is_false")]
     pub fixed: bool,
     /// Coefficient of static friction of the block; that of the scene where absent. A contact has
     /// the geometric mean of its two bodies.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
     pub friction: Option<f64>,
 }
 
@@ -73,47 +67,44 @@ impl Block {
 /// assert_eq!(Scene::from_json(&scene.to_json())?, scene);
 /// # Ok::<(), teeter_scene::SceneError>(())
 /// ```
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct Scene {
     /// Name of the scene.
     pub name: String,
     /// Acceleration of gravity along -z, m/s².
-    #[serde(default = "standard_gravity")]
     pub gravity: f64,
     /// Coefficient of static friction of every contact, including contacts with the floor.
     pub friction: f64,
     /// Coefficient of kinetic friction. Defaults to the static one.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
+    #[serde(skip_serializing_if = "Option::is_none")]
     pub kinetic_friction: Option<f64>,
     /// Ratio of the speeds after and before a flat impact, 0 to 1. The contact law covers a part of
     /// that range and clamps to it.
-    #[serde(default)]
     pub restitution: f64,
     /// Normal stiffness of a contact of 26.8 mm by 26.8 mm, N/m, within
     /// [`STIFFNESS`](crate::STIFFNESS). Contact stiffness is proportional to the area, and the
     /// number of substeps to its square root.
-    #[serde(default = "default_stiffness")]
     pub stiffness: f64,
     /// Radius of the edges of all blocks, m; 0 for sharp ones.
-    #[serde(default, skip_serializing_if = "is_sharp")]
+    #[serde(skip_serializing_if = "is_sharp")]
     pub edge_radius: f64,
     /// Form of the blocks.
-    #[serde(default, skip_serializing_if = "is_rigid")]
+    #[serde(skip_serializing_if = "is_rigid")]
     pub form: Form,
     /// Springs inside the blocks of form [`Form::Lattice`].
-    #[serde(default, skip_serializing_if = "Springs::is_default")]
+    #[serde(skip_serializing_if = "Springs::is_default")]
     pub springs: Springs,
     /// Blocks, in order of creation.
     pub blocks: Vec<Block>,
     /// Exact answer where it is known: `stable` or `unstable`.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
+    #[serde(skip_serializing_if = "Option::is_none")]
     pub label: Option<String>,
     /// Error of every support edge that the label tolerates, mm.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
+    #[serde(skip_serializing_if = "Option::is_none")]
     pub margin: Option<f64>,
     /// Direction in which the ground tilts, rad about z from x, in scenes that ask for the angle of
     /// collapse.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
+    #[serde(skip_serializing_if = "Option::is_none")]
     pub tilt_az: Option<f64>,
 }
 
@@ -124,16 +115,8 @@ impl Scene {
     }
 }
 
-fn is_zero(x: &[f64; 3]) -> bool {
-    *x == [0.0; 3]
-}
-
-fn is_false(x: &bool) -> bool {
-    !x
-}
-
 fn is_sharp(radius: &f64) -> bool {
-    *radius == 0.0
+    radius.to_bits() == 0
 }
 
 fn is_rigid(form: &Form) -> bool {

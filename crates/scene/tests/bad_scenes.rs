@@ -1,34 +1,10 @@
-//! Errors of scenes: one line that names the block, the field and the expected value.
+//! Errors of scenes whose JSON has another form: one line in the words of JSON.
 
+mod common;
+
+use common::{error_line, error_with, error_with_field, valid_scene};
 use serde_json::{Value, json};
-use teeter_scene::{MAX_BLOCKS, Scene, SceneError};
-
-fn valid_scene() -> Value {
-    json!({"name": "two", "gravity": 9.81, "friction": 0.4, "restitution": 0.0, "stiffness": 1e6, "family": "unknown fields are ignored", "blocks": [
-        {"id": 7, "size": [0.081, 0.0268, 0.018], "mass": 0.0196, "pos": [0.0, 0.0, 0.009], "yaw": 0.0},
-        {"id": 9, "size": [0.081, 0.0268, 0.018], "mass": 0.0196, "pos": [0.0, 0.0, 0.027], "yaw": 0.3}]})
-}
-
-fn error_line(text: &str) -> String {
-    let error = Scene::from_json(text).expect_err(text).to_string();
-    assert!(!error.contains('\n'), "{error:?}");
-    error
-}
-
-/// Writes a value to one field.
-type SetField = fn(&mut Scene, f64);
-
-/// Returns the error of the valid scene with one value changed, or removed.
-fn error_with(pointer: &str, value: Option<Value>) -> String {
-    let mut scene = valid_scene();
-    let (parent, key) = pointer.rsplit_once('/').unwrap();
-    match (value, scene.pointer_mut(parent).unwrap()) {
-        (Some(v), _) => *scene.pointer_mut(pointer).unwrap_or_else(|| panic!("{pointer}")) = v,
-        (None, Value::Object(o)) => drop(o.remove(key).unwrap()),
-        (None, other) => panic!("{other} has no fields"),
-    }
-    error_line(&scene.to_string())
-}
+use teeter_scene::Scene;
 
 #[test]
 fn the_good_scene_is_valid_scene() {
@@ -56,147 +32,106 @@ fn missing_fields_are_named() {
     }
 }
 
-#[test]
-fn values_of_the_wrong_type_are_named() {
-    assert!(
-        error_with("/blocks/1/mass", Some(json!("heavy")))
-            .starts_with("block 9: `mass`: invalid type: string \"heavy\", expected f64")
-    );
-    assert!(error_with("/blocks/1/pos", Some(json!([0.0, 1.0]))).starts_with("block 9: `pos`: invalid length 2"));
-    assert!(
-        error_with("/blocks/1/id", Some(json!(-1)))
-            .starts_with("block at index 1 of the list: `id`: invalid value: integer `-1`")
-    );
-    assert!(error_with("/friction", Some(Value::Null)).starts_with("`friction`: invalid type: null"));
-    assert!(
-        error_with("/stiffness", Some(json!("stiff")))
-            .starts_with("`stiffness`: invalid type: string \"stiff\", expected f64")
-    );
-    assert!(error_with("/blocks", Some(json!({}))).starts_with("`blocks`: invalid type: map, expected a sequence"));
-}
-
-#[test]
-fn non_finite_values_are_rejected() {
-    for field in ["mass", "yaw"] {
-        let error = error_with(&format!("/blocks/0/{field}"), Some(Value::Null));
-        assert!(error.starts_with(&format!("block 7: `{field}`: invalid type: null, expected f64")), "{error}");
-    }
-    for field in ["size", "pos"] {
-        let error = error_with(&format!("/blocks/0/{field}/1"), Some(Value::Null));
-        assert!(error.starts_with(&format!("block 7: `{field}[1]`: invalid type: null")), "{error}");
-    }
-    let text = valid_scene().to_string();
-    let error = error_line(&text.replacen("0.0196", "1e999", 1));
-    assert!(error.contains("`mass`: number out of range"), "{error}");
-    let error = error_line(&text.replacen("0.0196", "NaN", 1));
-    assert!(error.contains("this is not JSON: expected value"), "{error}");
-    for value in [f64::NAN, f64::INFINITY, f64::NEG_INFINITY] {
-        let base = Scene::from_json(&text).unwrap();
-        let fields: [(&str, SetField); 10] = [
-            ("block 7: `size`", |s, x| s.blocks[0].size[2] = x),
-            ("block 7: `mass`", |s, x| s.blocks[0].mass = x),
-            ("block 7: `pos`", |s, x| s.blocks[0].pos[0] = x),
-            ("block 7: `yaw`", |s, x| s.blocks[0].yaw = x),
-            ("`gravity`", |s, x| s.gravity = x),
-            ("`friction`", |s, x| s.friction = x),
-            ("`kinetic_friction`", |s, x| s.kinetic_friction = Some(x)),
-            ("`restitution`", |s, x| s.restitution = x),
-            ("`stiffness`", |s, x| s.stiffness = x),
-            ("`tilt_az`", |s, x| s.tilt_az = Some(x)),
-        ];
-        for (field, set) in fields {
-            let mut scene = base.clone();
-            set(&mut scene, value);
-            let error = scene.validate().unwrap_err().to_string();
-            assert!(error.starts_with(&format!("{field} is ")), "{error}");
-        }
+/// Asserts the error of each value in the JSON, by its pointer.
+fn assert_errors(cases: &[(&str, &str, &str)]) {
+    for (pointer, value, expected) in cases {
+        let error = error_with(pointer, Some(serde_json::from_str(value).unwrap()));
+        assert!(error.starts_with(&format!("{expected} (line 1, column ")), "{error}");
     }
 }
 
 #[test]
-fn values_out_of_range_are_rejected() {
-    for value in [0.0, -0.01, 10.5, 1e-4] {
-        let error = error_with("/blocks/1/size/1", Some(json!(value)));
-        assert_eq!(
-            error,
-            format!("block 9: `size` is [0.081, {value}, 0.018] m, expected three lengths of 0.001 to 10 m")
-        );
-    }
-    for value in [0.0, -1.0] {
-        assert_eq!(
-            error_with("/blocks/1/mass", Some(json!(value))),
-            format!("block 9: `mass` is {value} kg, expected above 0 and at most 10000 kg")
-        );
-    }
+fn values_of_another_kind_are_named_in_the_words_of_json() {
+    assert_errors(&[
+        ("/blocks/1/mass", r#""heavy""#, r#"block 9: `mass` is the text "heavy", expected a number"#),
+        (
+            "/blocks/1/mass",
+            r#""0.02""#,
+            r#"block 9: `mass` is the text "0.02", expected a number, without quotation marks"#,
+        ),
+        ("/blocks/1/mass", r#"[1]"#, r#"block 9: `mass` is a list, expected a number"#),
+        ("/blocks/1/mass", r#"{}"#, r#"block 9: `mass` is an object, expected a number"#),
+        ("/blocks/1/mass", r#"true"#, r#"block 9: `mass` is true, expected a number"#),
+        ("/blocks/1/yaw", r#"null"#, r#"block 9: `yaw` is null, expected a number"#),
+        (
+            "/blocks/1/id",
+            r#"-1"#,
+            r#"block at index 1 of the list: `id` is -1, expected a whole number from 0 to 4294967295"#,
+        ),
+        (
+            "/blocks/1/id",
+            r#""b""#,
+            r#"block at index 1 of the list: `id` is the text "b", expected a whole number from 0 to 4294967295"#,
+        ),
+        (
+            "/blocks/1/id",
+            r#"0.5"#,
+            r#"block at index 1 of the list: `id` is 0.5, expected a whole number from 0 to 4294967295"#,
+        ),
+        ("/blocks/1", r#"3"#, r#"block at index 1 of the list is 3, expected an object: a block"#),
+        ("/blocks/1", r#"[3]"#, r#"block at index 1 of the list is a list, expected an object: a block"#),
+        ("/name", r#"3"#, r#"`name` is 3, expected a text of at most 10000 characters"#),
+        ("/friction", r#"null"#, r#"`friction` is null, expected a number"#),
+        ("/stiffness", r#""stiff""#, r#"`stiffness` is the text "stiff", expected a number"#),
+        ("/blocks", r#"{}"#, r#"`blocks` is an object, expected a list of blocks"#),
+        (
+            "/gravity",
+            r#"[0, 0, -9.81]"#,
+            r#"`gravity` is a list, expected one number: the acceleration downwards, such as 9.81 m/s²"#,
+        ),
+    ]);
+}
+
+#[test]
+fn lists_of_another_length_are_named() {
+    assert_errors(&[
+        (
+            "/blocks/1/pos",
+            r#"[0.0, 1.0]"#,
+            r#"block 9: `pos` has 2 numbers, expected 3: x, y and z of the centre in m"#,
+        ),
+        ("/blocks/0/size", r#"[1, 1, 1, 1]"#, r#"block 7: `size` has 4 numbers, expected 3: the edge lengths in m"#),
+        ("/blocks/0/size", r#"[]"#, r#"block 7: `size` has 0 numbers, expected 3: the edge lengths in m"#),
+        ("/blocks/0/size", r#"0.1"#, r#"block 7: `size` is 0.1, expected a list of 3 numbers: the edge lengths in m"#),
+        ("/blocks/0/size/1", r#"null"#, r#"block 7: `size[1]` is null, expected a number"#),
+        (
+            "/blocks/0/pos",
+            r#"{"x": 0}"#,
+            r#"block 7: `pos` is an object, expected a list of 3 numbers: x, y and z of the centre in m"#,
+        ),
+    ]);
+}
+
+#[test]
+fn optional_fields_of_another_kind_are_named() {
     for (field, value, expected) in [
-        ("gravity", -1.0, "0 to 100 m/s²"),
-        ("gravity", 101.0, "0 to 100 m/s²"),
-        ("friction", -0.1, "0 to 2"),
-        ("friction", 2.1, "0 to 2"),
-        ("restitution", 1.1, "0 to 1"),
-        ("stiffness", 9999.0, "1e4 to 1e8 N/m"),
-        ("stiffness", 100000001.0, "1e4 to 1e8 N/m"),
-        ("stiffness", -1000000.0, "1e4 to 1e8 N/m"),
+        ("form", json!("soft"), "`form` is the text \"soft\", expected rigid or lattice"),
+        ("form", json!(1), "`form` is 1, expected rigid or lattice"),
+        ("springs", json!([]), "`springs` is a list, expected an object: springs"),
+        ("springs", json!({"damping": "low"}), "`springs.damping` is the text \"low\", expected a number"),
+        (
+            "springs",
+            json!({"particles": "middle"}),
+            "`springs.particles` is the text \"middle\", expected inside or corners",
+        ),
+        ("edge_radius", json!("1 mm"), "`edge_radius` is the text \"1 mm\", expected a number"),
     ] {
-        assert_eq!(
-            error_with(&format!("/{field}"), Some(json!(value))),
-            format!("`{field}` is {value}, expected {expected}")
-        );
+        let error = error_with_field("", field, value);
+        assert!(error.starts_with(&format!("{expected} (line 1, column ")), "{error}");
     }
-    let mut scene = valid_scene();
-    scene["kinetic_friction"] = json!(0.5);
-    assert_eq!(error_line(&scene.to_string()), "`kinetic_friction` is 0.5, expected at most `friction`, 0.4");
-    scene["kinetic_friction"] = json!(0.3);
-    assert_eq!(Scene::from_json(&scene.to_string()).unwrap().kinetic_friction, Some(0.3));
-    scene["label"] = json!("sturdy");
-    assert_eq!(error_line(&scene.to_string()), "`label` is \"sturdy\", expected `stable` or `unstable`");
-    assert!(
-        error_with("/blocks/1/pos/0", Some(json!(2000))).starts_with("block 9: `pos` is [2000, 0, 0.027] m, expected")
-    );
+    let error = error_with_field("/blocks/0", "fixed", json!("yes"));
+    assert!(error.starts_with("block 7: `fixed` is the text \"yes\", expected true or false (line 1"), "{error}");
 }
 
 #[test]
-fn overlapping_blocks_are_rejected() {
-    let error = error_with("/blocks/0/pos/2", Some(json!(0.008)));
-    assert_eq!(
-        error,
-        "block 7: `pos` is 8.000 mm above the floor at its centre, expected at least half its height, 9.000 mm"
-    );
-    let error = error_with("/blocks/1/pos/2", Some(json!(0.0265)));
-    assert_eq!(error, "blocks 7 and 9: `pos` makes them overlap by 0.500 mm, expected at most 0.001 mm");
-    let mut touching = valid_scene();
-    touching["blocks"][1]["pos"][2] = json!(0.0269995);
-    assert!(Scene::from_json(&touching.to_string()).is_ok(), "half a micrometre is rounding");
-    let error = error_with("/blocks/1/id", Some(json!(7)));
-    assert_eq!(
-        error,
-        "block 7: `id` is used twice, by the blocks at indices 0 and 1 of the list, expected one block an id"
-    );
-}
-
-#[test]
-fn empty_and_oversized_scenes_are_rejected() {
-    assert_eq!(error_with("/blocks", Some(json!([]))), "`blocks` is a list of 0, expected 1 to 20000 blocks");
-    let mut scene = Scene::from_json(&valid_scene().to_string()).unwrap();
-    let block = scene.blocks[0].clone();
-    let put = |i: usize| {
-        let mut b = block.clone();
-        b.id = i as u32;
-        b.pos = [0.1 * (i % 150) as f64, 0.1 * (i / 150) as f64, 0.009];
-        b
-    };
-    scene.blocks = (0..MAX_BLOCKS).map(put).collect();
-    assert_eq!(scene.validate(), Ok(()));
-    scene.blocks.push(put(MAX_BLOCKS));
-    assert_eq!(scene.validate().unwrap_err().to_string(), "`blocks` is a list of 20001, expected 1 to 20000 blocks");
-}
-
-#[test]
-fn the_first_of_many_overlaps_is_named() {
-    let mut scene = Scene::from_json(&valid_scene().to_string()).unwrap();
-    let block = scene.blocks[0].clone();
-    scene.blocks = (0..500).map(|i| teeter_scene::Block { id: 1000 - i, ..block.clone() }).collect();
-    assert!(matches!(scene.validate(), Err(SceneError::Overlap { a: 1000, b: 999, .. })));
+fn an_error_has_the_line_and_column_where_it_was_found() {
+    let error = error_line("{\"name\": \"a\",\n \"friction\": \"b\", \"blocks\": []}");
+    assert_eq!(error, "`friction` is the text \"b\", expected a number (line 2, column 16)");
+    // The id comes after the error, and the text ends before the block does.
+    let error = error_line("{\"blocks\": [{},\n{\"mass\": [], \"id\": 5, ");
+    assert!(error.starts_with("block at index 0 of the list: missing field `id` (line 1, column 14)"), "{error}");
+    let error = error_line("{\"blocks\": [{\"mass\": [], \"id\": 5, ");
+    assert!(error.starts_with("block 5: `mass` is a list, expected a number (line 1, column "), "{error}");
 }
 
 #[test]
@@ -212,18 +147,122 @@ fn text_that_is_not_a_scene_is_rejected() {
         "the scene is a JSON number, expected a JSON object with `name`, `friction` and `blocks`"
     );
     assert!(error_line("hello").starts_with("this is not JSON: expected value (line 1, column 1)"));
-    assert!(error_line("{\"name\": ").starts_with("this is not JSON: EOF while parsing a value"));
-    assert!(error_line(&format!("{} x", valid_scene())).starts_with("this is not JSON: trailing characters"));
-    let error = error_line(&format!("{{\"x\":{}", "[".repeat(100_000)));
-    assert!(error.starts_with("this is not JSON: EOF while parsing a list"), "{error}");
+    assert!(error_line("{\"name\": ").starts_with("this is not JSON: the text ends where a value is expected (line 1"));
+    let error = error_line(&format!("{} x", valid_scene()));
+    assert!(error.starts_with("this is not JSON: there is more after the end of the scene"), "{error}");
+    let error = error_line(&format!("{{\"comment\":{}", "[".repeat(100_000)));
+    assert!(error.starts_with("this is not JSON: the text ends inside a list"), "{error}");
     let error = error_line(&format!("{{\"blocks\":{}", "[".repeat(100_000)));
-    assert!(error.starts_with("block at index 0 of the list: "), "{error}");
+    assert!(error.starts_with("block at index 0 of the list is a list, expected an object: a block"), "{error}");
 }
 
 #[test]
-fn reading_stops_at_the_limit() {
-    let text = valid_scene().to_string();
-    assert!(Scene::read(text.as_bytes(), text.len() as u64).is_ok());
-    assert_eq!(Scene::read(std::io::repeat(b' '), 3_000_000), Err(SceneError::TooLarge { limit_mb: 3 }));
-    assert_eq!(Scene::read(&b"{\"name\": \"\xff\"}"[..], 100), Err(SceneError::NotUtf8(10)));
+fn unknown_fields_get_the_nearest_known_name() {
+    for (parent, field, expected) in [
+        ("", "stifness", "`stifness` is not a field of a scene: did you mean `stiffness`?"),
+        ("", "kinetic_fricton", "`kinetic_fricton` is not a field of a scene: did you mean `kinetic_friction`?"),
+        ("", "Gravity", "`Gravity` is not a field of a scene: did you mean `gravity`?"),
+        ("", "edgeRadius", "`edgeRadius` is not a field of a scene: did you mean `edge_radius`?"),
+        ("/blocks/1", "Mass", "block 9: `Mass` is not a field of a block: did you mean `mass`?"),
+        (
+            "/blocks/1",
+            "postion",
+            "block 9: `postion` is not a field of a block: write `pos`, the [x, y, z] of the centre in m",
+        ),
+        ("/blocks/1", "orientatoin", "block 9: `orientatoin` is not a field of a block: did you mean `orientation`?"),
+        ("/springs", "dampening", "`springs`: `dampening` is not a field of springs: did you mean `damping`?"),
+        (
+            "/springs",
+            "zebra",
+            "`springs`: `zebra` is not a field of springs, which has `stiffness`, `damping`, `particles`",
+        ),
+    ] {
+        let mut scene = valid_scene();
+        scene["springs"] = json!({});
+        scene.pointer_mut(parent).unwrap()[field] = json!(1);
+        let error = error_line(&scene.to_string());
+        assert!(error.starts_with(&format!("{expected} (line 1, column ")), "{error}");
+    }
+}
+
+#[test]
+fn fields_of_other_formats_get_the_name_to_write() {
+    for (field, name) in [
+        ("quat", "`orientation`, a unit quaternion [x, y, z, w] with w last"),
+        ("quaternion", "`orientation`, a unit quaternion [x, y, z, w] with w last"),
+        ("rotation", "`orientation`"),
+        ("rot", "`orientation`"),
+        ("rpy", "`orientation`"),
+        ("euler", "`yaw` in radians"),
+        ("position", "`pos`"),
+        ("half_extents", "`size`, the full edge lengths"),
+        ("halfExtents", "`size`, the full edge lengths"),
+        ("halfsize", "`size`, the full edge lengths"),
+        ("dims", "`size`"),
+        ("dimensions", "`size`"),
+        ("density", "`mass` in kg, the density times the volume"),
+        ("weight", "`mass` in kg"),
+        ("mu", "`friction`"),
+        ("angular_velocity", "`spin`"),
+        ("omega", "`spin`"),
+        ("linear_velocity", "`velocity`"),
+        ("static", "`fixed`: true"),
+        ("kinematic", "`fixed`: true"),
+    ] {
+        let error = error_with_field("/blocks/0", field, json!(1));
+        assert!(error.starts_with(&format!("block 7: `{field}` is not a field of a block: write ")), "{error}");
+        assert!(error.contains(name), "{error}");
+    }
+    let error = error_with_field("", "bodies", json!([]));
+    assert!(error.starts_with("`bodies` is not a field of a scene: write `blocks` (line 1"), "{error}");
+}
+
+#[test]
+fn a_field_that_is_given_twice_is_refused() {
+    let error = error_line(r#"{"name": "a", "friction": 1, "friction": 2}"#);
+    assert!(error.starts_with("field `friction` is given twice (line 1"), "{error}");
+    let error = error_with_field("/blocks/0", "orientation", json!([0, 0, 0, 1]));
+    assert!(error.starts_with("block 7: `yaw` and `orientation` are both given, expected one of them"), "{error}");
+}
+
+/// Labelled towers and people add these.
+#[test]
+fn fields_for_people_and_other_programs_are_ignored() {
+    let scene = Scene::from_json(&valid_scene().to_string()).unwrap();
+    let mut more = valid_scene();
+    for (field, value) in [
+        ("truth", json!({"tilt_deg": 12.5, "side_sensitive": false, "mode": "topple"})),
+        ("family", json!("stack")),
+        ("rows", json!(["010", "010"])),
+        ("comment", json!(["a", {"b": "c"}])),
+        ("label", Value::Null),
+        ("margin", Value::Null),
+        ("tilt_az", Value::Null),
+    ] {
+        more[field] = value;
+    }
+    more["blocks"][0]["comment"] = json!("the lower one");
+    assert_eq!(Scene::from_json(&more.to_string()).unwrap(), scene);
+}
+
+#[test]
+fn text_of_a_file_is_printable_in_scenes_and_messages() {
+    let mut scene = valid_scene();
+    scene["name"] = json!("red \u{1b}[31m\u{202e}\u{200b}\n");
+    assert_eq!(Scene::from_json(&scene.to_string()).unwrap().name, "red  [31m   ");
+    for (field, value) in [("\u{1b}[2J", json!(1)), ("form", json!("\u{1b}[2J")), ("label", json!("\u{9b}2J\u{2066}"))]
+    {
+        let error = error_with_field("", field, value);
+        assert!(!error.chars().any(|c| c.is_control() || c == '\u{2066}'), "{error:?}");
+    }
+    let error = error_with("/blocks/0/mass", Some(json!("x".repeat(1_000_000))));
+    assert!(error.len() < 200, "{}", error.len());
+}
+
+/// The parser stores no more blocks than a scene may have.
+#[test]
+fn a_list_of_too_many_blocks_is_counted() {
+    let blocks = vec![r#"{"id":0,"size":[1,1,1],"mass":1,"pos":[0,0,1]}"#; 30_000].join(",");
+    let error = error_line(&format!(r#"{{"name": "a", "friction": 1, "blocks": [{blocks}]}}"#));
+    assert!(error.starts_with("`blocks` is a list of 30000, expected 1 to 20000 blocks (line 1"), "{error}");
 }

@@ -1,0 +1,32 @@
+//! Text that is safe to display.
+
+/// Maximum number of characters that a message repeats of a value.
+const MAX_SHOWN: usize = 60;
+
+/// Returns a text without characters that change a terminal or hide: control characters, marks of
+/// direction and characters without width. A space replaces each of them.
+///
+/// Names of scenes that come from a file are printable, and so is all that an error repeats of one.
+///
+/// ```
+/// assert_eq!(teeter_scene::printable("a\u{1b}[31mb\u{202e}c"), "a [31mb c");
+/// ```
+pub fn printable(text: &str) -> String {
+    text.chars().map(|c| if is_hidden(c) { ' ' } else { c }).collect()
+}
+
+/// Printable text of limited length, for a message.
+pub(crate) fn shown(text: &str) -> String {
+    let mut start: String = text.chars().take(MAX_SHOWN).collect();
+    if start.len() < text.len() {
+        start.push('…');
+    }
+    printable(&start)
+}
+
+fn is_hidden(c: char) -> bool {
+    c.is_control()
+        || matches!(c,
+            '\u{ad}' | '\u{61c}' | '\u{180e}' | '\u{200b}'..='\u{200f}' | '\u{2028}'..='\u{202e}'
+            | '\u{2060}'..='\u{206f}' | '\u{feff}' | '\u{fff9}'..='\u{fffb}')
+}
