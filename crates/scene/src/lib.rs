@@ -1,5 +1,6 @@
 #![doc = include_str!("../README.md")]
 
+mod cards;
 mod error;
 mod form;
 mod json;
@@ -14,6 +15,7 @@ mod text;
 mod tower;
 mod validate;
 
+pub use cards::{CardsOptions, MAX_STOREYS, cards};
 pub use error::SceneError;
 pub use form::{Form, Particles, Springs, WOOD_SPRINGS};
 pub use json::MAX_BYTES;
@@ -24,5 +26,7 @@ pub use printable::printable;
 pub use random::Random;
 pub use scene::{Block, Scene, default_stiffness, standard_gravity};
 pub use text::{read_text, utf8};
-pub use tower::{FIELD_PITCH, LOOSE_CLEARANCE, TowerOptions, WOOD_RESTITUTION, config, field, loose, tower};
+pub use tower::{
+    FIELD_PITCH, LOOSE_CLEARANCE, TowerOptions, WOOD_EDGE_RADIUS, WOOD_RESTITUTION, config, field, loose, tower,
+};
 pub use validate::{MAX_BLOCKS, MAX_OVERLAP, SPRING_DAMPING, SPRING_STIFFNESS, STIFFNESS};

@@ -116,7 +116,7 @@ pub fn first_pair(scene: &Scene, tolerance: f64) -> Option<Overlap> {
     let mut found: Option<Overlap> = None;
     let first = |found: &Option<Overlap>| found.map(|f| (f.first, f.second));
     // The sweep is along space: a pair that was created earlier may come later.
-    let _ = sweep(scene, |solids, i, j| {
+    let _ = sweep(scene, tolerance, |solids, i, j| {
         if first(&found).is_none_or(|pair| (i, j) < pair) {
             found = overlap(solids, (i, j), tolerance).or(found);
         }
@@ -127,10 +127,11 @@ pub fn first_pair(scene: &Scene, tolerance: f64) -> Option<Overlap> {
 
 /// Returns all overlaps of more than `tolerance` (m) between blocks that are not both fixed, in the
 /// order of creation of the first and then of the second block; the first [`MAX_PAIRS`] that are
-/// found.
+/// found. A negative tolerance finds blocks that are nearer than it, with their gap as a negative
+/// depth: see [`rounded_depth`].
 pub fn pairs(scene: &Scene, tolerance: f64) -> Vec<Overlap> {
     let mut found = Vec::new();
-    let _ = sweep(scene, |solids, i, j| {
+    let _ = sweep(scene, tolerance, |solids, i, j| {
         found.extend(overlap(solids, (i, j), tolerance));
         if found.len() < MAX_PAIRS { ControlFlow::Continue(()) } else { ControlFlow::Break(()) }
     });
@@ -143,9 +144,13 @@ fn overlap(solids: &[Solid], (first, second): (usize, usize), tolerance: f64) ->
     Some(Overlap { first, second, depth, direction: direction.to_array() })
 }
 
-/// Calls `visit` with each two blocks, the lower index first, whose bounds overlap and that are not
-/// both fixed.
-fn sweep(scene: &Scene, mut visit: impl FnMut(&[Solid], usize, usize) -> ControlFlow<()>) -> ControlFlow<()> {
+/// Calls `visit` with each two blocks, the lower index first, whose bounds overlap by more than
+/// `tolerance` (m) and that are not both fixed.
+fn sweep(
+    scene: &Scene,
+    tolerance: f64,
+    mut visit: impl FnMut(&[Solid], usize, usize) -> ControlFlow<()>,
+) -> ControlFlow<()> {
     let solids: Vec<Solid> = scene.blocks.iter().map(|b| Solid::new(b, scene.edge_radius)).collect();
     // Along the axis of the largest extent few intervals overlap, in a column and in a field.
     let spread = |k: usize| {
@@ -158,10 +163,10 @@ fn sweep(scene: &Scene, mut visit: impl FnMut(&[Solid], usize, usize) -> Control
     for (rank, &i) in order.iter().enumerate() {
         for &j in &order[rank + 1..] {
             let (a, b) = (&solids[i], &solids[j]);
-            if b.min[along] > a.max[along] {
+            if b.min[along] > a.max[along] - tolerance {
                 break;
             }
-            let is_near = (0..3).all(|k| a.min[k] < b.max[k] && b.min[k] < a.max[k]);
+            let is_near = (0..3).all(|k| a.max[k].min(b.max[k]) - a.min[k].max(b.min[k]) > tolerance);
             if is_near && !(a.fixed && b.fixed) {
                 visit(&solids, i.min(j), i.max(j))?;
             }

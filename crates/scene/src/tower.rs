@@ -31,6 +31,9 @@ pub const FIELD_PITCH: f64 = 0.5;
 /// known.
 pub const WOOD_RESTITUTION: f64 = 0.5;
 
+/// Radius of the edges of wooden blocks, m.
+pub const WOOD_EDGE_RADIUS: f64 = 0.0;
+
 /// Options of a tower.
 ///
 /// ```
@@ -62,6 +65,8 @@ pub struct TowerOptions {
     pub kinetic_friction: Option<f64>,
     /// Coefficient of restitution, 0 to 1.
     pub restitution: f64,
+    /// Radius of the edges, m, 0 to a third of the smallest edge.
+    pub edge_radius: f64,
 }
 
 impl Default for TowerOptions {
@@ -75,14 +80,16 @@ impl Default for TowerOptions {
             friction: 0.4,
             kinetic_friction: None,
             restitution: WOOD_RESTITUTION,
+            edge_radius: WOOD_EDGE_RADIUS,
         }
     }
 }
 
 impl TowerOptions {
-    /// Returns options without scatter, for configurations with a known answer.
+    /// Returns options without scatter and with sharp edges, for configurations with a known
+    /// answer.
     pub fn exact() -> Self {
-        Self { height_sd: 0.0, mass_sd: Some(0.0), ..Self::default() }
+        Self { height_sd: 0.0, mass_sd: Some(0.0), edge_radius: 0.0, ..Self::default() }
     }
 
     /// Checks the options for a tower of `rows` rows and returns the standard deviation of the
@@ -205,7 +212,7 @@ fn build(name: &str, rows: &[[Cell; 3]], options: &TowerOptions) -> Result<Scene
         kinetic_friction: options.kinetic_friction,
         restitution: options.restitution,
         stiffness: default_stiffness(),
-        edge_radius: 0.0,
+        edge_radius: options.edge_radius,
         form: Form::default(),
         springs: Springs::default(),
         blocks,

@@ -66,7 +66,7 @@ pub trait Kind: Sized {
 /// Error about a value, which follows the name of its field.
 fn refusal<E: Error>(kind: &impl Kind, found: &Found) -> E {
     let is_quoted = match found {
-        Found::Text(text) => text.parse::<f64>().is_ok_and(|x| kind.number(x).is_some()),
+        Found::Text(text) => text.parse::<f64>().is_ok_and(|x| x.is_finite() && kind.number(x).is_some()),
         _ => false,
     };
     let hint = if is_quoted { ", without quotation marks" } else { "" };
