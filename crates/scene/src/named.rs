@@ -1,16 +1,23 @@
 //! List of named scenes, shared by the shell, the page, tests and benchmarks.
 
+mod balance;
+mod piles;
+mod rows;
+mod setting;
+mod towers;
+
 use std::fmt;
 
 use serde::{Deserialize, Serialize};
 
-use crate::error::SceneError;
-use crate::form::{Form, Springs};
-use crate::overlap;
+use crate::cards::{CardsOptions, cards};
 use crate::preset::BlockPreset;
-use crate::random::Random;
-use crate::scene::{Block, Scene, default_stiffness, standard_gravity};
-use crate::tower::{self, TowerOptions, WOOD_RESTITUTION, tower};
+use crate::scene::Scene;
+use crate::tower::{self, TowerOptions, tower};
+use balance::{lire, see_saw, slope};
+use piles::{pile, stack};
+use rows::{dominoes, wall};
+use towers::{exact, midgame, test_2, valid};
 
 /// Exact answer for a tower of rigid blocks.
 ///
@@ -110,6 +117,14 @@ pub const NAMED: &[NamedScene] = &[
         valid(tower::field(5, &TowerOptions { rows: 8, ..TowerOptions::default() }))
     }),
     entry("pile", "forty blocks let fall", None, pile),
+    entry("cards", "a house of cards: four storeys, 26 cards", Some(Stable), || {
+        valid(cards(4, &CardsOptions::default()))
+    }),
+    entry("dominoes", "a row of twenty dominoes, the first of them beyond its balance", Some(Unstable), dominoes),
+    entry("lire", "the leaning tower of Lire: ten blocks, the top one wholly beyond the base", Some(Stable), lire),
+    entry("wall", "a dry wall of bricks in running bond", Some(Stable), wall),
+    entry("see-saw", "a plank on a ridge: one block balances two at half the distance", Some(Stable), see_saw),
+    entry("slope", "a tower on a plate that slopes by 15 degrees, below the angle of friction", Some(Stable), slope),
 ];
 
 /// Returns the scene of the list with this name.
@@ -120,96 +135,4 @@ pub const NAMED: &[NamedScene] = &[
 /// ```
 pub fn named(name: &str) -> Option<Scene> {
     NAMED.iter().find(|n| n.name == name).map(NamedScene::scene)
-}
-
-fn valid(built: Result<Scene, SceneError>) -> Scene {
-    built.expect("every scene of the list is valid")
-}
-
-fn exact(text: &str) -> Scene {
-    valid(tower::config(text, &TowerOptions::exact()))
-}
-
-/// Second static test of the dissertation with its top block moved outwards by `out`, m.
-///
-/// The middle block and the top one balance on the inner edge of the bottom one, 13.7 mm from the
-/// axis; their centre of mass is 27.1 / 2 = 13.55 mm from it. The real tower stood because its top
-/// block lay slightly further out.
-fn test_2(out: f64) -> Scene {
-    let mut scene = exact("(001)-(010)-(001)");
-    scene.blocks[2].pos[1] += out;
-    scene
-}
-
-/// Scene of blocks of nominal size with friction 0.4.
-fn scene_of(blocks: Vec<Block>) -> Scene {
-    Scene {
-        name: String::new(),
-        gravity: standard_gravity(),
-        friction: 0.4,
-        kinetic_friction: None,
-        restitution: WOOD_RESTITUTION,
-        stiffness: default_stiffness(),
-        edge_radius: 0.0,
-        form: Form::default(),
-        springs: Springs::default(),
-        blocks,
-        label: None,
-        margin: None,
-        tilt_az: None,
-    }
-}
-
-fn nominal(id: u32, pos: [f64; 3], yaw: f64) -> Block {
-    let preset = BlockPreset::Dissertation;
-    Block { yaw, ..Block::new(id, preset.size(), preset.mass(), pos) }
-}
-
-/// Stack of `n` blocks, all along x.
-fn stack(n: u32) -> Scene {
-    let height = BlockPreset::Dissertation.size()[2];
-    scene_of((0..n).map(|i| nominal(i, [0.0, 0.0, height * (f64::from(i) + 0.5)], 0.0)).collect())
-}
-
-/// Blocks in the air above each other, each turned and offset at random.
-fn pile() -> Scene {
-    let mut random = Random::new(1);
-    let drop = |i: u32| {
-        let mut offset = || 0.03 * (2.0 * random.uniform() - 1.0);
-        let pos = [offset(), offset(), 0.03 + 0.025 * f64::from(i)];
-        nominal(i, pos, std::f64::consts::PI * random.uniform())
-    };
-    scene_of((0..40).map(drop).collect())
-}
-
-/// Maximum apparent penetration of touching blocks, m.
-const ROUNDING: f64 = 1e-12;
-
-/// Tower with blocks moved from the lower rows to the top, none of them quite straight.
-fn midgame() -> Scene {
-    let text = "(111)-(101)-(111)-(110)-(101)-(011)-(111)-(010)-(111)-(101)-(111)-(110)-(101)-(111)-(011)-(111)-(101)-(111)-(111)-(111)-(011)";
-    let mut scene = valid(tower::config(text, &TowerOptions { seed: 2, ..TowerOptions::default() }));
-    let mut random = Random::new(2);
-    for i in 0..scene.blocks.len() {
-        let straight = scene.blocks[i].clone();
-        let along_x = straight.yaw == 0.0;
-        let mut scatter = 1.0;
-        loop {
-            let (along, across, turn) =
-                (random.clipped_normal(2.0), random.clipped_normal(2.0), random.clipped_normal(2.0));
-            let (along, across) = (1e-3 * scatter * along, 0.5e-3 * scatter * across);
-            let (dx, dy) = if along_x { (along, across) } else { (across, along) };
-            let block = &mut scene.blocks[i];
-            block.pos = [straight.pos[0] + dx, straight.pos[1] + dy, straight.pos[2]];
-            block.yaw = straight.yaw + 0.01 * scatter * turn;
-            // Must clear the straight poses of later blocks too, so that theirs remain free.
-            let moved = &scene.blocks[i];
-            if scene.blocks.iter().all(|other| other.id == moved.id || overlap::depth(other, moved) < ROUNDING) {
-                break;
-            }
-            // Straighten until the gap is wide enough.
-            scatter *= 0.9;
-        }
-    }
-    scene
 }
