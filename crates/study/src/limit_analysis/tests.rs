@@ -112,7 +112,9 @@ fn forces_on_each_block_balance_its_weight() {
 
 #[test]
 fn a_tower_has_no_equilibrium_exactly_where_it_falls() {
-    for entry in NAMED.iter().filter(|n| n.expect.is_some()) {
+    // Limit analysis is of upright blocks.
+    let is_upright = |scene: &Scene| scene.blocks.iter().all(|b| b.orientation.is_none());
+    for entry in NAMED.iter().filter(|n| n.expect.is_some() && is_upright(&n.scene())) {
         let scene = entry.scene();
         let rests = RigidTower::new(&scene);
         assert_eq!(
