@@ -75,7 +75,7 @@ pub enum SceneError {
         radians: f64,
     },
     /// Angle out of its range.
-    #[error("{location}`{field}` is {value}, expected an angle of at most 6.2832 rad in either direction")]
+    #[error("{location}`{field}` is {value}, expected an angle of at most 12.566 rad in either direction")]
     Angle {
         /// Block, followed by a colon and a space; empty for a field of the scene.
         location: String,

@@ -27,6 +27,9 @@ const MAX_SPEED: f64 = 100.0;
 /// Maximum deviation of a quaternion's length from 1, above the rounding of files that give a few
 /// digits.
 const MAX_LENGTH_ERROR: f64 = 1e-3;
+/// Maximum angle in either direction, rad: two turns, since programs add angles up. A number of
+/// degrees is above it from 13 on.
+const MAX_ANGLE: f64 = 2.0 * TAU;
 /// Maximum depth of a block inside another or the floor, m: above the rounding of files that give
 /// positions with five digits after the point.
 pub const MAX_OVERLAP: f64 = 2e-5;
@@ -209,7 +212,7 @@ fn validate_orientation(b: &Block) -> Result<(), SceneError> {
 
 /// Checks an angle in rad. `location` is the block with a colon and a space, or empty.
 fn angle(location: String, field: &'static str, value: f64) -> Result<(), SceneError> {
-    if value.abs() <= TAU {
+    if value.abs() <= MAX_ANGLE {
         return Ok(());
     }
     if value.abs() <= 720.0 {

@@ -266,3 +266,18 @@ fn a_list_of_too_many_blocks_is_counted() {
     let error = error_line(&format!(r#"{{"name": "a", "friction": 1, "blocks": [{blocks}]}}"#));
     assert!(error.starts_with("`blocks` is a list of 30000, expected 1 to 20000 blocks (line 1"), "{error}");
 }
+
+/// A message lists all fields of an object, and the page on the format describes each.
+#[test]
+fn every_field_is_documented() {
+    let page = include_str!("../../../docs/scene-format.md");
+    for parent in ["", "/blocks/0"] {
+        let error = error_with_field(parent, "zzzzzzzzzzzz", json!(1));
+        let names = error.split_once("which has ").unwrap().1.split_once(" (line").unwrap().0;
+        for name in names.split(", ") {
+            let rows =
+                page.lines().filter(|line| line.starts_with('|') && line.split('|').nth(1).unwrap().contains(name));
+            assert!(rows.count() > 0, "{name}");
+        }
+    }
+}
