@@ -144,6 +144,38 @@ impl World {
         &self.scene
     }
 
+    /// Returns the present state as a scene: poses, velocities and spins of the blocks, with the
+    /// constants, the form and the springs. A world built from it goes on from here, without the
+    /// history of the contacts and the strain of the blocks, and its time begins at zero.
+    ///
+    /// A block that has never rotated keeps its `yaw`. The label of the scene and its margin are
+    /// left out: they are about the scene as built.
+    ///
+    /// ```
+    /// use teeter_physics::{BodyId, Params, World};
+    ///
+    /// let mut world = World::new(&teeter_scene::named("column").unwrap(), Params::default())?;
+    /// world.run_for(1.0);
+    /// let scene = world.to_scene();
+    /// let position = world.pose(BodyId(4)).position;
+    /// assert_eq!(scene.blocks[4].pos, position.to_array());
+    /// let next = World::new(&scene, Params::default())?;
+    /// assert_eq!(next.pose(BodyId(4)).position, position);
+    /// # Ok::<(), teeter_physics::BuildError>(())
+    /// ```
+    pub fn to_scene(&self) -> Scene {
+        let mut scene = Scene { label: None, margin: None, ..self.scene.clone() };
+        for (body, block) in self.bodies().zip(&mut scene.blocks) {
+            let (pose, twist) = (self.pose(body), self.twist(body));
+            block.pos = pose.position.to_array();
+            (block.velocity, block.spin) = (twist.velocity.to_array(), twist.spin.to_array());
+            if pose.orientation != DQuat::from_array(block.rotation()) {
+                (block.yaw, block.orientation) = (0.0, Some(pose.orientation.to_array()));
+            }
+        }
+        scene
+    }
+
     /// Stiffness of a contact of [`REFERENCE_AREA`](crate::REFERENCE_AREA), N/m.
     pub fn stiffness(&self) -> f64 {
         self.derived.stiffness
