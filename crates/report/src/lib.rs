@@ -3,6 +3,7 @@
 pub mod chart;
 pub mod dissertation;
 mod error;
+mod out_file;
 mod output;
 pub mod page;
 pub mod score;
@@ -11,4 +12,5 @@ pub mod table;
 pub mod validation;
 
 pub use error::Error;
+pub use out_file::OutFile;
 pub use output::progress;

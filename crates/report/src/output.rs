@@ -1,20 +1,33 @@
 //! Output folders, files and progress bars.
 
 use std::fs;
+use std::io::Write;
 use std::path::Path;
 
 use indicatif::{ProgressBar, ProgressStyle};
 
 use crate::error::Error;
+use crate::out_file::OutFile;
 
 /// Creates a folder and its parents where they are missing.
 pub(crate) fn create_folder(path: &Path) -> Result<(), Error> {
     fs::create_dir_all(path).map_err(|source| Error::CreateFolder { path: path.to_owned(), source })
 }
 
+/// Creates a file that [`finish_file`] writes.
+pub(crate) fn create_file(path: &Path) -> Result<OutFile, Error> {
+    OutFile::create(path).map_err(|source| Error::WriteFile { path: path.to_owned(), source })
+}
+
+/// Writes a text to the file of a path, and finishes it.
+pub(crate) fn finish_file(mut file: OutFile, path: &Path, text: &str) -> Result<(), Error> {
+    let written = file.write_all(text.as_bytes()).and_then(|()| file.finish());
+    written.map_err(|source| Error::WriteFile { path: path.to_owned(), source })
+}
+
 /// Writes a text file.
 pub(crate) fn write_file(path: &Path, text: &str) -> Result<(), Error> {
-    fs::write(path, text).map_err(|source| Error::WriteFile { path: path.to_owned(), source })
+    finish_file(create_file(path)?, path, text)
 }
 
 /// Returns a progress bar of `length` steps on standard error; it stays hidden where that is no

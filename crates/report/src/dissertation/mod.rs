@@ -25,7 +25,7 @@ use maud::html;
 use rayon::prelude::*;
 
 use crate::error::Error;
-use crate::output::{create_folder, progress, write_file};
+use crate::output::{create_file, create_folder, finish_file, progress};
 use crate::page::{Page, PageSection};
 use parts::{PARTS, Part};
 
@@ -45,8 +45,8 @@ pub fn write(out: &Path, only: &[String]) -> Result<PathBuf, Error> {
     create_folder(out)?;
     let path = out.join("index.html");
     // Now, so that a folder without permission is reported before minutes of experiments.
-    write_file(&path, "")?;
-    write_file(&path, &page(run(&parts)?).html())?;
+    let file = create_file(&path)?;
+    finish_file(file, &path, &page(run(&parts)?).html())?;
     Ok(path)
 }
 
