@@ -53,7 +53,7 @@ pub enum Error {
     #[error(transparent)]
     Labelled(#[from] LabelledError),
     /// Output file that cannot be created.
-    #[error("{name}: cannot be written: {source}")]
+    #[error("{name}: cannot be written: {}", obstacle(source))]
     Create {
         /// Name of the file.
         name: String,
@@ -143,6 +143,16 @@ impl Error {
             Self::Usage(error) => report_usage(error),
             error => report_line(&error.to_string()),
         }
+    }
+}
+
+/// Cause of a file that cannot be created.
+fn obstacle(error: &io::Error) -> String {
+    match error.kind() {
+        io::ErrorKind::NotFound | io::ErrorKind::NotADirectory => "there is no such folder".to_owned(),
+        io::ErrorKind::IsADirectory => "this is a folder, expected a file".to_owned(),
+        io::ErrorKind::PermissionDenied => "it may not be written".to_owned(),
+        _ => error.to_string(),
     }
 }
 

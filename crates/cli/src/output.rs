@@ -1,8 +1,56 @@
-//! Standard output and warnings.
+//! Standard output, output files and warnings.
 
 use std::io::{self, Write};
+use std::path::Path;
+
+use teeter_report::OutFile;
 
 use crate::error::Error;
+
+/// Output of `--out`: a file that appears whole or not at all, or standard output.
+pub enum Output {
+    /// Standard output.
+    Stdout,
+    /// File, and its name for messages.
+    File(OutFile, String),
+}
+
+impl Output {
+    /// Creates an output file; `-` is standard output.
+    pub fn create(path: &Path) -> Result<Self, Error> {
+        if path == Path::new("-") {
+            return Ok(Self::Stdout);
+        }
+        let name = path.display().to_string();
+        match OutFile::create(path) {
+            Ok(file) => Ok(Self::File(file, name)),
+            Err(source) => Err(Error::Create { name, source }),
+        }
+    }
+
+    /// Returns true if this is standard output.
+    pub fn is_stdout(&self) -> bool {
+        matches!(self, Self::Stdout)
+    }
+
+    /// Writes a line.
+    pub fn line(&mut self, text: &str) -> Result<(), Error> {
+        match self {
+            Self::Stdout => line(text),
+            Self::File(file, name) => {
+                writeln!(file, "{text}").map_err(|source| Error::Write { name: name.clone(), source })
+            }
+        }
+    }
+
+    /// Gives a file its name.
+    pub fn finish(self) -> Result<(), Error> {
+        match self {
+            Self::Stdout => Ok(()),
+            Self::File(file, name) => file.finish().map_err(|source| Error::Write { name, source }),
+        }
+    }
+}
 
 /// Writes a line to standard output.
 pub fn line(text: &str) -> Result<(), Error> {
@@ -11,6 +59,16 @@ pub fn line(text: &str) -> Result<(), Error> {
         io::ErrorKind::BrokenPipe => Error::StdoutClosed,
         _ => Error::Stdout(error),
     })
+}
+
+/// Writes the report of a command to standard output, or to standard error where standard output
+/// has the data.
+pub fn report(text: &str, stdout_has_data: bool) -> Result<(), Error> {
+    if stdout_has_data {
+        eprintln!("{text}");
+        return Ok(());
+    }
+    line(text)
 }
 
 /// Writes a value to standard output as one line of JSON.

@@ -124,3 +124,74 @@ fn blocks_may_have_springs_of_wood() {
     let oak = teeter(&["run", "column", "--form", "lattice", "--spring-stiffness", "oak"]);
     assert!(oak.error_line().contains("expected a number from 1000 to 100000000, or wood"), "{}", oak.error_line());
 }
+
+/// A block on the floor, sliding at 0.5 m/s.
+const SLIDING: &str = r#"{"name": "sliding", "friction": 0.3, "restitution": 0.5, "blocks": [{"id": 5,
+    "size": [0.081, 0.0268, 0.018], "mass": 0.0196, "pos": [0, 0, 0.009], "velocity": [0.5, 0, 0]}]}"#;
+
+/// Runs a scene for a time (s) and returns the scene at the end.
+fn end_of(scene: &[u8], seconds: &str) -> teeter_scene::Scene {
+    let done = common::teeter_with(&["run", "-", "--seconds", seconds, "--ramp", "0", "--out", "-"], scene);
+    assert_eq!(done.code, 0, "{}", done.err);
+    teeter_scene::Scene::from_json(&done.out).unwrap()
+}
+
+/// Distance of the blocks of two scenes, m: the largest of all.
+fn distance(a: &teeter_scene::Scene, b: &teeter_scene::Scene) -> f64 {
+    let pairs = a.blocks.iter().zip(&b.blocks);
+    let distance = |a: [f64; 3], b: [f64; 3]| (0..3).map(|k| (a[k] - b[k]) * (a[k] - b[k])).sum::<f64>().sqrt();
+    pairs.map(|(a, b)| distance(a.pos, b.pos)).fold(0.0, f64::max)
+}
+
+/// The end state lacks the strain of the contacts along their planes, which a sliding block builds
+/// up again within nanometres.
+#[test]
+fn a_run_goes_on_from_the_scene_it_wrote() {
+    for seconds in [0.1, 1.0] {
+        let half = end_of(SLIDING.as_bytes(), &seconds.to_string());
+        let again = end_of(half.to_json().as_bytes(), &seconds.to_string());
+        let whole = end_of(SLIDING.as_bytes(), &(2.0 * seconds).to_string());
+        assert!(distance(&again, &whole) < 1e-7, "{seconds}: {again:?} {whole:?}");
+    }
+    let half = end_of(SLIDING.as_bytes(), "0.1");
+    let speed = half.blocks[0].velocity[0];
+    assert!((speed - (0.5 - 0.3 * 9.81 * 0.1)).abs() < 2e-3, "{speed}");
+}
+
+#[test]
+fn a_tower_at_rest_stays_where_it_was_written() {
+    let column = teeter(&["scene", "column"]).out;
+    let settled = end_of(column.as_bytes(), "2");
+    assert!(settled.blocks.iter().all(|block| block.velocity == [0.0; 3]));
+    let later = end_of(settled.to_json().as_bytes(), "1");
+    assert!(distance(&settled, &later) < 1e-6, "{}", distance(&settled, &later));
+}
+
+#[test]
+fn the_end_state_is_a_file_that_appears_whole() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("end.json");
+    let done = teeter(&["run", "test-5", "--seconds", "1", "--out", path.to_str().unwrap()]);
+    assert_eq!((done.code, done.err.as_str()), (0, ""));
+    assert!(done.out.starts_with("test-5: stands\n"), "{}", done.out);
+    let end = teeter_scene::Scene::from_json(&std::fs::read_to_string(&path).unwrap()).unwrap();
+    assert_eq!(end.blocks.len(), 4);
+    assert_eq!(std::fs::read_dir(folder.path()).unwrap().count(), 1);
+    let missing = folder.path().join("none/end.json");
+    let error = teeter(&["run", "tower", "--out", missing.to_str().unwrap()]).error_line().to_owned();
+    assert!(error.ends_with("none/end.json: cannot be written: there is no such folder"), "{error}");
+}
+
+/// Without a ramp a block in the air falls freely from the first frame.
+#[test]
+fn the_ramp_of_gravity_can_be_set() {
+    let drop = SLIDING.replace("[0, 0, 0.009]", "[0, 0, 0.5]").replace("[0.5, 0, 0]", "[0, 0, 0]");
+    let speed = |ramp: &str| {
+        let args = ["run", "-", "--seconds", "0.2", "--json", "--ramp", ramp];
+        common::teeter_with(&args, drop.as_bytes()).json()["rms_speed"].as_f64().unwrap()
+    };
+    assert!((speed("0") - 9.81 * 0.2).abs() < 1e-6, "{}", speed("0"));
+    // gravity grows with time: g t² / (2 ramp)
+    assert!((speed("0.4") - 9.81 * 0.2 * 0.2 / 0.8).abs() < 0.02, "{}", speed("0.4"));
+    assert!(teeter(&["run", "block", "--ramp", "61"]).error_line().contains("expected a number from 0 to 60"));
+}

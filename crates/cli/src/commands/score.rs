@@ -1,8 +1,6 @@
 //! `teeter score`: predictions for labelled towers, and their comparison with the labels.
 
-use std::fs::File;
-use std::io::{BufWriter, Write};
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 
 use clap::Args;
 use indicatif::ParallelProgressIterator;
@@ -13,6 +11,7 @@ use teeter_study::{Prediction, predict};
 
 use crate::arguments::EngineArguments;
 use crate::error::Error;
+use crate::output::Output;
 use crate::{input, output};
 
 /// Arguments of `teeter score`.
@@ -20,7 +19,8 @@ use crate::{input, output};
 pub struct Score {
     /// Scenes, one JSON object a line, compressed by gzip or not; `-` for standard input.
     scenes: PathBuf,
-    /// File for the predictions, one JSON object a line [default: standard output].
+    /// File for the predictions, one JSON object a line; `-` for standard output, and the summary
+    /// is then printed to standard error [default: standard output].
     #[arg(long, value_name = "FILE")]
     out: Option<PathBuf>,
     #[command(flatten)]
@@ -28,27 +28,6 @@ pub struct Score {
     /// Summary as one JSON object on standard output; predictions are then written only to --out.
     #[arg(long)]
     json: bool,
-}
-
-/// Output file with its name.
-struct Output {
-    file: BufWriter<File>,
-    name: String,
-}
-
-impl Output {
-    fn create(path: &Path) -> Result<Self, Error> {
-        let name = path.display().to_string();
-        match File::create(path) {
-            Ok(file) => Ok(Self { file: BufWriter::new(file), name }),
-            Err(source) => Err(Error::Create { name, source }),
-        }
-    }
-
-    fn write(&mut self, lines: &[String]) -> Result<(), Error> {
-        let written = lines.iter().try_for_each(|line| writeln!(self.file, "{line}"));
-        written.and_then(|()| self.file.flush()).map_err(|source| Error::Write { name: self.name.clone(), source })
-    }
 }
 
 impl Score {
@@ -60,24 +39,20 @@ impl Score {
             .map(|labelled| Labelled { scene: self.engine.material.apply(labelled.scene), ..labelled })
             .collect();
         // Before the predictions, so that a missing folder is reported before minutes of work.
-        let mut out = self.out.as_deref().map(Output::create).transpose()?;
+        let out = match &self.out {
+            Some(path) => Some(Output::create(path)?),
+            None if self.json => None,
+            None => Some(Output::Stdout),
+        };
         let predictions = self.predict(&scenes)?;
-        let lines: Vec<String> = predictions.iter().map(output::to_json).collect();
-        match &mut out {
-            Some(out) => out.write(&lines)?,
-            None if self.json => {}
-            None => lines.iter().try_for_each(|line| output::line(line))?,
+        let to_stdout = out.as_ref().is_some_and(Output::is_stdout);
+        if let Some(mut out) = out {
+            predictions.iter().try_for_each(|prediction| out.line(&output::to_json(prediction)))?;
+            out.finish()?;
         }
         let summary = Summary::of(&scenes, &predictions);
-        if self.json {
-            output::json(&summary)
-        } else if out.is_some() {
-            output::line(&summary.to_string())
-        } else {
-            // Standard output has the predictions.
-            eprintln!("{summary}");
-            Ok(())
-        }
+        let text = if self.json { output::to_json(&summary) } else { summary.to_string() };
+        output::report(&text, to_stdout)
     }
 
     fn predict(&self, scenes: &[Labelled]) -> Result<Vec<Prediction>, Error> {

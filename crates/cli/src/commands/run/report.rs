@@ -3,9 +3,6 @@
 use serde::Serialize;
 use teeter_scene::Scene;
 
-use crate::error::Error;
-use crate::output;
-
 /// Maximum number of fallen blocks that are named in the text.
 const MAX_NAMED: usize = 10;
 
@@ -38,21 +35,24 @@ pub struct Report {
 }
 
 impl Report {
-    /// Prints the report as text.
-    pub fn print(&self, scene: &Scene) -> Result<(), Error> {
+    /// Returns the report as text: lines without the end of the last one.
+    pub fn text(&self, scene: &Scene) -> String {
         let weight: f64 = scene.blocks.iter().map(|block| block.mass * scene.gravity).sum();
         let count = scene.blocks.len();
-        output::line(&format!("{}: {}", scene.name, self.result(count)))?;
-        let row = |name: &str, value: String| output::line(&format!("  {name:22} {value}"));
-        row("blocks", format!("{count}, {weight:.2} N in all"))?;
-        row("largest displacement", millimetres(self.max_displacement_mm))?;
-        row("creep after 2 s", self.creep_mm.map_or("not seen: the run ends before".into(), millimetres))?;
-        row("sink of the top", millimetres(self.sink_mm))?;
-        row("deepest overlap", millimetres(self.penetration_mm))?;
-        row("speed at the end", format!("{}/s (root mean square)", millimetres(1e3 * self.rms_speed)))?;
-        row("asleep", self.asleep_at_s.map_or("not all blocks".into(), |time| format!("since {time:.2} s")))?;
-        row("time", format!("{:.2} s simulated in {:.2} s of the processor", self.simulated_s, self.cpu_s))?;
-        row("hash", self.hash.clone())
+        let row = |name: &str, value: String| format!("  {name:22} {value}");
+        [
+            format!("{}: {}", scene.name, self.result(count)),
+            row("blocks", format!("{count}, {weight:.2} N in all")),
+            row("largest displacement", millimetres(self.max_displacement_mm)),
+            row("creep after 2 s", self.creep_mm.map_or("not seen: the run ends before".into(), millimetres)),
+            row("sink of the top", millimetres(self.sink_mm)),
+            row("deepest overlap", millimetres(self.penetration_mm)),
+            row("speed at the end", format!("{}/s (root mean square)", millimetres(1e3 * self.rms_speed))),
+            row("asleep", self.asleep_at_s.map_or("not all blocks".into(), |time| format!("since {time:.2} s"))),
+            row("time", format!("{:.2} s simulated in {:.2} s of the processor", self.simulated_s, self.cpu_s)),
+            row("hash", self.hash.clone()),
+        ]
+        .join("\n")
     }
 
     /// Result of a scene of `count` blocks.

@@ -1,0 +1,79 @@
+//! Measurements while a world runs.
+
+use teeter_physics::{StepReport, World};
+use teeter_scene::Scene;
+use teeter_study::{ReferencePositions, max_height};
+
+use super::report::Report;
+
+/// Time from which on creep counts, s: before, the tower settles.
+const CREEP_FROM: f64 = 2.0;
+
+/// Measurements while a world runs.
+pub struct Recorder {
+    /// Height of the top before the first frame, m. A scene begins without load, so this is the sum
+    /// of the tallest blocks.
+    top: f64,
+    start: ReferencePositions,
+    /// Positions from which creep counts.
+    settled: Option<ReferencePositions>,
+    fallen: Vec<bool>,
+    displacement: f64,
+    creep: Option<f64>,
+    penetration: f64,
+    rms_speed: f64,
+    asleep_at_s: Option<f64>,
+}
+
+impl Recorder {
+    /// Starts the measurements of a world.
+    pub fn new(world: &World) -> Self {
+        Self {
+            top: max_height(world),
+            start: ReferencePositions::of(world),
+            settled: None,
+            fallen: vec![false; world.len()],
+            displacement: 0.0,
+            creep: None,
+            penetration: 0.0,
+            rms_speed: 0.0,
+            asleep_at_s: None,
+        }
+    }
+
+    /// Records a step of the world.
+    pub fn record(&mut self, world: &World, step: &StepReport) {
+        for body in &step.quarantined {
+            self.fallen[body.index()] = true;
+        }
+        self.start.mark_fallen(world, &mut self.fallen);
+        self.displacement = self.displacement.max(self.start.max_displacement(world));
+        self.penetration = self.penetration.max(step.penetration);
+        self.rms_speed = step.rms_speed;
+        self.asleep_at_s = if step.awake == 0 { self.asleep_at_s.or(Some(step.time)) } else { None };
+        match &self.settled {
+            Some(settled) => self.creep = Some(self.creep.unwrap_or(0.0).max(settled.max_displacement(world))),
+            None if step.time >= CREEP_FROM - 1e-9 => self.settled = Some(ReferencePositions::of(world)),
+            None => {}
+        }
+    }
+
+    /// Returns the report at the end of a run.
+    pub fn report(&self, scene: &Scene, world: &World, cpu_s: f64) -> Report {
+        let blocks = scene.blocks.iter().zip(&self.fallen);
+        let fell: Vec<u32> = blocks.filter(|(_, fell)| **fell).map(|(block, _)| block.id).collect();
+        Report {
+            stands: fell.is_empty(),
+            fell,
+            max_displacement_mm: 1e3 * self.displacement,
+            creep_mm: self.creep.map(|creep| 1e3 * creep),
+            sink_mm: 1e3 * (self.top - max_height(world)),
+            penetration_mm: 1e3 * self.penetration,
+            rms_speed: self.rms_speed,
+            cpu_s,
+            simulated_s: world.time(),
+            hash: format!("{:016x}", world.hash()),
+            asleep_at_s: self.asleep_at_s,
+        }
+    }
+}
