@@ -23,6 +23,7 @@ mod rest;
 mod settle;
 mod solid;
 mod stiff_limit;
+mod timeline;
 pub mod torsion;
 mod xray;
 
@@ -47,4 +48,5 @@ pub use removal::{Removal, removable_blocks, remove, without_block};
 pub use rest::{PILE_SPEED, REST_SPEED, REST_TIME, RestTimer, SETTLED_SPEED, VISIBLE_SPEED};
 pub use settle::{SETTLE_TIME, settled};
 pub use solid::{Solid, max_penetration, max_penetration_between};
+pub use timeline::{Change, HandMotion, HandOrientation, Timeline};
 pub use xray::{Load, xray};
