@@ -9,6 +9,8 @@ use teeter_report::score::LabelledError;
 use teeter_report::validation::DataSheetError;
 use teeter_scene::{NAMED, SceneError};
 
+use crate::json_fields::FieldError;
+
 /// Exit code for bad input.
 const BAD_INPUT: u8 = 2;
 
@@ -49,6 +51,25 @@ pub enum Error {
         /// Cause.
         source: BuildError,
     },
+    /// Line of a file of inputs that is not a change.
+    #[error("{name}, line {line}: {source}")]
+    Inputs {
+        /// Name of the file or stream.
+        name: String,
+        /// Line, from 1.
+        line: usize,
+        /// Cause.
+        source: FieldError,
+    },
+    /// File of inputs without a line.
+    #[error("{name}: no inputs, expected one JSON object a line")]
+    NoInputs {
+        /// Name of the file or stream.
+        name: String,
+    },
+    /// Standard input for two files.
+    #[error("standard input cannot be both the scene and the inputs: give the file of one of them")]
+    StdinTwice,
     /// Labelled towers that cannot be read.
     #[error(transparent)]
     Labelled(#[from] LabelledError),

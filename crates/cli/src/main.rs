@@ -4,6 +4,7 @@ mod arguments;
 mod commands;
 mod error;
 mod input;
+mod json_fields;
 mod output;
 
 use std::process::ExitCode;

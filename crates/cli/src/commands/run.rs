@@ -1,15 +1,17 @@
 //! `teeter run`: simulates a scene and measures it.
 
+mod inputs;
 mod recorder;
 mod report;
 
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 use clap::Args;
 use cpu_time::ProcessTime;
-use teeter_physics::{Input, Params, World};
+use teeter_physics::{Params, World};
 use teeter_report::progress;
 use teeter_scene::Scene;
+use teeter_study::Timeline;
 
 use crate::arguments::{EngineArguments, number};
 use crate::error::Error;
@@ -24,13 +26,17 @@ pub struct Run {
     /// File of a scene, `-` for standard input, or the name of a scene of the list.
     scene: PathBuf,
     /// Time to simulate, s.
-    #[arg(long, default_value_t = 10.0, value_parser = number(0.02, 86_400.0))]
+    #[arg(long, default_value_t = 10.0, value_parser = number(0.02, inputs::MAX_TIME))]
     seconds: f64,
     #[command(flatten)]
     engine: EngineArguments,
     /// Time over which gravity grows to its full value at the start, s.
     #[arg(long, default_value_t = Params::default().ramp, value_parser = number(0.0, 60.0), value_name = "SECONDS")]
     ramp: f64,
+    /// File of hands, forces, drives and gravity, one JSON object a line with the time from which
+    /// it holds, see docs/inputs.md; `-` for standard input.
+    #[arg(long, value_name = "FILE")]
+    inputs: Option<PathBuf>,
     /// Simulate every block in every frame: slower, and shows that rest does not depend on sleep.
     #[arg(long)]
     no_sleep: bool,
@@ -46,13 +52,17 @@ pub struct Run {
 impl Run {
     /// Simulates the scene and prints its report.
     pub fn run(self) -> Result<(), Error> {
+        if self.scene == Path::new("-") && self.inputs.as_ref() == Some(&self.scene) {
+            return Err(Error::StdinTwice);
+        }
         let scene = self.engine.material.apply(input::scene(&self.scene)?);
+        let mut timeline = self.inputs.as_deref().map_or(Ok(Timeline::default()), |path| inputs::read(path, &scene))?;
         let params = Params { ramp: self.ramp, ..self.engine.params(!self.no_sleep) };
         let mut world =
             World::new(&scene, params).map_err(|source| Error::Build { name: scene.name.clone(), source })?;
         // Before the run, so that a missing folder is reported before minutes of work.
         let out = self.out.as_deref().map(Output::create).transpose()?;
-        let report = simulate(&scene, &mut world, self.seconds);
+        let report = simulate(&scene, &mut world, &mut timeline, self.seconds);
         let to_stdout = out.as_ref().is_some_and(Output::is_stdout);
         if let Some(mut out) = out {
             out.line(&world.to_scene().to_json())?;
@@ -63,13 +73,13 @@ impl Run {
     }
 }
 
-fn simulate(scene: &Scene, world: &mut World, seconds: f64) -> Report {
+fn simulate(scene: &Scene, world: &mut World, timeline: &mut Timeline, seconds: f64) -> Report {
     let frames = (seconds / world.params().frame).round().max(1.0) as u64;
     let bar = progress(frames, "frames");
     let mut recorder = Recorder::new(world);
     let clock = ProcessTime::now();
     for _ in 0..frames {
-        let step = world.step(&Input::default());
+        let step = world.step(timeline.input(world));
         for body in &step.quarantined {
             let (id, time) = (scene.blocks[body.index()].id, step.time);
             bar.suspend(|| output::warn(&format!("block {id} ran away at {time:.2} s and was frozen there")));
