@@ -67,6 +67,12 @@ pub enum Error {
         /// Name of the file or stream.
         name: String,
     },
+    /// Trace in no known format.
+    #[error("{name}: a trace is a file that ends with .parquet, .csv or .jsonl")]
+    TraceFormat {
+        /// Name of the file.
+        name: String,
+    },
     /// Standard input for two files.
     #[error("standard input cannot be both the scene and the inputs: give the file of one of them")]
     StdinTwice,

@@ -6,6 +6,7 @@ mod error;
 mod input;
 mod json_fields;
 mod output;
+mod trace;
 
 use std::process::ExitCode;
 

@@ -16,6 +16,7 @@ use teeter_study::Timeline;
 use crate::arguments::{EngineArguments, number};
 use crate::error::Error;
 use crate::output::Output;
+use crate::trace::Trace;
 use crate::{input, output};
 use recorder::Recorder;
 use report::Report;
@@ -44,6 +45,13 @@ pub struct Run {
     /// and the report is then printed to standard error.
     #[arg(long, value_name = "FILE")]
     out: Option<PathBuf>,
+    /// File for the pose and velocity of each block after each frame: a table, whose extension is
+    /// .parquet, .csv or .jsonl, see docs/trace.md.
+    #[arg(long, value_name = "FILE")]
+    trace: Option<PathBuf>,
+    /// Frames from a row of the trace to the next of the same block.
+    #[arg(long, value_name = "N", default_value_t = 1, value_parser = clap::value_parser!(u64).range(1..=1_000_000), requires = "trace")]
+    trace_every: u64,
     /// Print one JSON object.
     #[arg(long)]
     json: bool,
@@ -62,7 +70,12 @@ impl Run {
             World::new(&scene, params).map_err(|source| Error::Build { name: scene.name.clone(), source })?;
         // Before the run, so that a missing folder is reported before minutes of work.
         let out = self.out.as_deref().map(Output::create).transpose()?;
-        let report = simulate(&scene, &mut world, &mut timeline, self.seconds);
+        let mut trace = match &self.trace {
+            Some(path) => Some(Trace::create(path, &scene, &world, self.trace_every)?),
+            None => None,
+        };
+        let report = simulate(&scene, &mut world, &mut timeline, trace.as_mut(), self.seconds)?;
+        trace.map_or(Ok(()), Trace::finish)?;
         let to_stdout = out.as_ref().is_some_and(Output::is_stdout);
         if let Some(mut out) = out {
             out.line(&world.to_scene().to_json())?;
@@ -73,21 +86,31 @@ impl Run {
     }
 }
 
-fn simulate(scene: &Scene, world: &mut World, timeline: &mut Timeline, seconds: f64) -> Report {
+fn simulate(
+    scene: &Scene,
+    world: &mut World,
+    timeline: &mut Timeline,
+    mut trace: Option<&mut Trace>,
+    seconds: f64,
+) -> Result<Report, Error> {
     let frames = (seconds / world.params().frame).round().max(1.0) as u64;
     let bar = progress(frames, "frames");
     let mut recorder = Recorder::new(world);
-    let clock = ProcessTime::now();
+    let mut cpu_s = 0.0;
+    trace.as_mut().map_or(Ok(()), |trace| trace.record(world))?;
     for _ in 0..frames {
-        let step = world.step(timeline.input(world));
+        let input = timeline.input(world);
+        let clock = ProcessTime::now();
+        let step = world.step(input);
+        cpu_s += clock.elapsed().as_secs_f64();
         for body in &step.quarantined {
             let (id, time) = (scene.blocks[body.index()].id, step.time);
             bar.suspend(|| output::warn(&format!("block {id} ran away at {time:.2} s and was frozen there")));
         }
         recorder.record(world, &step);
+        trace.as_mut().map_or(Ok(()), |trace| trace.record(world))?;
         bar.inc(1);
     }
-    let cpu_s = clock.elapsed().as_secs_f64();
     bar.finish_and_clear();
-    recorder.report(scene, world, cpu_s)
+    Ok(recorder.report(scene, world, cpu_s))
 }
