@@ -23,6 +23,7 @@ mod snapshot;
 mod start;
 mod step;
 mod step_io;
+mod warning;
 mod world;
 
 pub use body_id::BodyId;
@@ -33,4 +34,5 @@ pub use pose::{POSE_STRIDE, Pose, Twist};
 pub use report::{ContactReport, HandReport, LatticeReport, StepReport};
 pub use restitution::restitution;
 pub use snapshot::SnapshotError;
+pub use warning::Warning;
 pub use world::{BuildError, World};

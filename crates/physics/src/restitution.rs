@@ -14,6 +14,11 @@ pub fn restitution(zeta: f64) -> f64 {
     libm::exp(-b / w * (std::f64::consts::PI - libm::atan(2.0 * b * w / (w * w - b * b))))
 }
 
+/// Minimum and maximum coefficient of restitution that the contact law can have.
+pub fn restitution_range() -> (f64, f64) {
+    (restitution(DAMPING_RANGE.1), restitution(DAMPING_RANGE.0))
+}
+
 /// Damping ratio of a coefficient of restitution, clamped to those of stable damping ratios: 0.43
 /// to 0.61.
 pub fn damping_ratio(e: f64) -> f64 {
