@@ -7,7 +7,7 @@ use clap::error::ErrorKind;
 use teeter_physics::BuildError;
 use teeter_report::score::LabelledError;
 use teeter_report::validation::DataSheetError;
-use teeter_scene::{NAMED, SceneError};
+use teeter_scene::{NAMED, SceneError, printable};
 
 use crate::json_fields::FieldError;
 
@@ -190,8 +190,7 @@ fn names() -> String {
 
 fn report_line(message: &str) -> ExitCode {
     // Names of files and scenes can contain any character, also line breaks.
-    let line: String = message.chars().map(|c| if c.is_control() { ' ' } else { c }).collect();
-    eprintln!("teeter: {line}");
+    eprintln!("teeter: {}", printable(message));
     ExitCode::from(BAD_INPUT)
 }
 

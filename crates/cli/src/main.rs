@@ -7,6 +7,7 @@ mod input;
 mod json_fields;
 mod output;
 mod trace;
+mod warnings;
 
 use std::process::ExitCode;
 

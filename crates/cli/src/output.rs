@@ -1,4 +1,4 @@
-//! Standard output, output files and warnings.
+//! Standard output and output files.
 
 use std::io::{self, Write};
 use std::path::Path;
@@ -79,9 +79,4 @@ pub fn json(value: &impl serde::Serialize) -> Result<(), Error> {
 /// Returns a value as one line of JSON.
 pub fn to_json(value: &impl serde::Serialize) -> String {
     serde_json::to_string(value).expect("the values are plain data, and memory can be written")
-}
-
-/// Writes a warning to standard error.
-pub fn warn(message: &str) {
-    eprintln!("teeter: {message}");
 }

@@ -26,9 +26,10 @@ fn the_report_has_these_fields() {
         "simulated_s",
         "sink_mm",
         "stands",
+        "warnings",
     ];
     assert_eq!(fields, expected);
-    assert_eq!(report["stands"], true);
+    assert_eq!((&report["stands"], &report["warnings"]), (&Value::from(true), &serde_json::json!([])));
     assert_eq!(report["fell"], serde_json::json!([]));
     assert!((report["simulated_s"].as_f64().unwrap() - 3.0).abs() < 1e-9);
     let hash = report["hash"].as_str().unwrap();
@@ -194,4 +195,25 @@ fn the_ramp_of_gravity_can_be_set() {
     // gravity grows with time: g t² / (2 ramp)
     assert!((speed("0.4") - 9.81 * 0.2 * 0.2 / 0.8).abs() < 0.02, "{}", speed("0.4"));
     assert!(teeter(&["run", "block", "--ramp", "61"]).error_line().contains("expected a number from 0 to 60"));
+}
+
+/// Nothing is changed in silence: each warning is a line on standard error and an entry of the
+/// report.
+#[test]
+fn warnings_name_what_a_world_changes() {
+    let bouncy = SLIDING.replace("\"restitution\": 0.5", "\"restitution\": 0.9");
+    let inputs = tempfile::NamedTempFile::new().unwrap();
+    std::fs::write(inputs.path(), "{\"time\": 3}\n{\"time\": 2}").unwrap();
+    let args = ["run", "-", "--seconds", "1", "--json", "--inputs", inputs.path().to_str().unwrap()];
+    let report = common::teeter_with(&args, bouncy.as_bytes()).json();
+    let expected = [
+        "`restitution` is 0.9, contacts have 0.61: they can have 0.43 to 0.61",
+        "2 changes of the inputs begin after the end of the run, the first at 2 s",
+    ];
+    assert_eq!(report["warnings"], serde_json::json!(expected));
+    let mut sunk = teeter_scene::named("test-5").unwrap();
+    // two blocks into the one below
+    sunk.blocks[2..].iter_mut().for_each(|block| block.pos[2] -= 1e-5);
+    let report = common::teeter_with(&["run", "-", "--seconds", "1", "--json"], sunk.to_json().as_bytes()).json();
+    assert_eq!(report["warnings"], serde_json::json!(["2 pairs of blocks overlap, by up to 0.0100 mm"]));
 }

@@ -6,10 +6,11 @@ use clap::Args;
 use serde::Serialize;
 use teeter_report::progress;
 use teeter_scene::Scene;
-use teeter_study::{BlockForces, MAX_BREAKAWAY_FORCE, force_map};
+use teeter_study::{BlockForces, MAX_BREAKAWAY_FORCE, force_map_from, settled};
 
 use crate::arguments::EngineArguments;
 use crate::error::Error;
+use crate::warnings::Warnings;
 use crate::{input, output};
 
 /// Arguments of `teeter forces`.
@@ -27,17 +28,21 @@ pub struct Forces {
 #[derive(Serialize)]
 struct Report {
     blocks: Vec<BlockForces>,
+    warnings: Warnings,
 }
 
 impl Forces {
     /// Measures every block of a scene from one settled state, on all cores, and prints the forces.
     pub fn run(self) -> Result<(), Error> {
         let scene = self.engine.material.apply(input::scene(&self.scene)?);
+        let build = |source| Error::Build { name: scene.name.clone(), source };
+        let world = settled(&scene, self.engine.params(false)).map_err(build)?;
+        let mut warnings = Warnings::default();
+        warnings.add_all_of(&world);
         let bar = progress(scene.blocks.len() as u64, "blocks");
-        let blocks = force_map(&scene, self.engine.params(false), || bar.inc(1))
-            .map_err(|source| Error::Build { name: scene.name.clone(), source })?;
+        let blocks = force_map_from(&scene, &world, || bar.inc(1));
         bar.finish_and_clear();
-        if self.json { output::json(&Report { blocks }) } else { print(&scene, &blocks) }
+        if self.json { output::json(&Report { blocks, warnings }) } else { print(&scene, &blocks) }
     }
 }
 

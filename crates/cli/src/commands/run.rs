@@ -3,23 +3,21 @@
 mod inputs;
 mod recorder;
 mod report;
+mod simulation;
 
 use std::path::{Path, PathBuf};
 
 use clap::Args;
-use cpu_time::ProcessTime;
 use teeter_physics::{Params, World};
-use teeter_report::progress;
-use teeter_scene::Scene;
 use teeter_study::Timeline;
 
 use crate::arguments::{EngineArguments, number};
 use crate::error::Error;
 use crate::output::Output;
 use crate::trace::Trace;
+use crate::warnings::Warnings;
 use crate::{input, output};
-use recorder::Recorder;
-use report::Report;
+use simulation::Simulation;
 
 /// Arguments of `teeter run`.
 #[derive(Debug, Args)]
@@ -64,53 +62,22 @@ impl Run {
             return Err(Error::StdinTwice);
         }
         let scene = self.engine.material.apply(input::scene(&self.scene)?);
-        let mut timeline = self.inputs.as_deref().map_or(Ok(Timeline::default()), |path| inputs::read(path, &scene))?;
+        let timeline = self.inputs.as_deref().map_or(Ok(Timeline::default()), |path| inputs::read(path, &scene))?;
         let params = Params { ramp: self.ramp, ..self.engine.params(!self.no_sleep) };
-        let mut world =
-            World::new(&scene, params).map_err(|source| Error::Build { name: scene.name.clone(), source })?;
+        let world = World::new(&scene, params).map_err(|source| Error::Build { name: scene.name.clone(), source })?;
         // Before the run, so that a missing folder is reported before minutes of work.
         let out = self.out.as_deref().map(Output::create).transpose()?;
-        let mut trace = match &self.trace {
+        let trace = match &self.trace {
             Some(path) => Some(Trace::create(path, &scene, &world, self.trace_every)?),
             None => None,
         };
-        let report = simulate(&scene, &mut world, &mut timeline, trace.as_mut(), self.seconds)?;
-        trace.map_or(Ok(()), Trace::finish)?;
+        let mut warnings = Warnings::default();
+        warnings.add_all_of(&world);
+        let mut simulation = Simulation::new(&scene, world, timeline, trace, warnings);
+        simulation.run(self.seconds)?;
         let to_stdout = out.as_ref().is_some_and(Output::is_stdout);
-        if let Some(mut out) = out {
-            out.line(&world.to_scene().to_json())?;
-            out.finish()?;
-        }
+        let report = simulation.finish(out)?;
         let text = if self.json { output::to_json(&report) } else { report.text(&scene) };
         output::report(&text, to_stdout)
     }
-}
-
-fn simulate(
-    scene: &Scene,
-    world: &mut World,
-    timeline: &mut Timeline,
-    mut trace: Option<&mut Trace>,
-    seconds: f64,
-) -> Result<Report, Error> {
-    let frames = (seconds / world.params().frame).round().max(1.0) as u64;
-    let bar = progress(frames, "frames");
-    let mut recorder = Recorder::new(world);
-    let mut cpu_s = 0.0;
-    trace.as_mut().map_or(Ok(()), |trace| trace.record(world))?;
-    for _ in 0..frames {
-        let input = timeline.input(world);
-        let clock = ProcessTime::now();
-        let step = world.step(input);
-        cpu_s += clock.elapsed().as_secs_f64();
-        for body in &step.quarantined {
-            let (id, time) = (scene.blocks[body.index()].id, step.time);
-            bar.suspend(|| output::warn(&format!("block {id} ran away at {time:.2} s and was frozen there")));
-        }
-        recorder.record(world, &step);
-        trace.as_mut().map_or(Ok(()), |trace| trace.record(world))?;
-        bar.inc(1);
-    }
-    bar.finish_and_clear();
-    Ok(recorder.report(scene, world, cpu_s))
 }

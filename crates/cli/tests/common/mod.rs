@@ -44,11 +44,15 @@ fn done(child: Child) -> Done {
 }
 
 impl Done {
-    /// The one JSON object of a run that went well.
+    /// The one JSON object of a run that went well, whose warnings are all that is on standard
+    /// error.
     pub fn json(&self) -> Value {
-        assert_eq!((self.code, self.err.as_str()), (0, ""));
+        assert_eq!(self.code, 0, "{}", self.err);
         let value: Value = serde_json::from_str(&self.out).expect("one JSON value");
         assert!(value.is_object());
+        let warnings = value["warnings"].as_array().map_or(&[][..], Vec::as_slice);
+        let lines: String = warnings.iter().map(|w| format!("warning: {}\n", w.as_str().expect("a text"))).collect();
+        assert_eq!(self.err, lines);
         value
     }
 

@@ -5,6 +5,7 @@ use teeter_scene::Scene;
 use teeter_study::{ReferencePositions, max_height};
 
 use super::report::Report;
+use crate::warnings::Warnings;
 
 /// Time from which on creep counts, s: before, the tower settles.
 const CREEP_FROM: f64 = 2.0;
@@ -59,7 +60,7 @@ impl Recorder {
     }
 
     /// Returns the report at the end of a run.
-    pub fn report(&self, scene: &Scene, world: &World, cpu_s: f64) -> Report {
+    pub fn report(&self, scene: &Scene, world: &World, cpu_s: f64, warnings: Warnings) -> Report {
         let blocks = scene.blocks.iter().zip(&self.fallen);
         let fell: Vec<u32> = blocks.filter(|(_, fell)| **fell).map(|(block, _)| block.id).collect();
         Report {
@@ -74,6 +75,7 @@ impl Recorder {
             simulated_s: world.time(),
             hash: format!("{:016x}", world.hash()),
             asleep_at_s: self.asleep_at_s,
+            warnings,
         }
     }
 }

@@ -3,6 +3,8 @@
 use serde::Serialize;
 use teeter_scene::Scene;
 
+use crate::warnings::Warnings;
+
 /// Maximum number of fallen blocks that are named in the text.
 const MAX_NAMED: usize = 10;
 
@@ -32,6 +34,8 @@ pub struct Report {
     pub hash: String,
     /// Time since which all blocks have been asleep, s; null where one is awake at the end.
     pub asleep_at_s: Option<f64>,
+    /// Warnings, which are printed besides.
+    pub warnings: Warnings,
 }
 
 impl Report {

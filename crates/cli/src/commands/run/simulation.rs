@@ -1,0 +1,80 @@
+//! Simulation: a world, the inputs that act on it, and its measurements.
+
+use cpu_time::ProcessTime;
+use teeter_physics::World;
+use teeter_report::progress;
+use teeter_scene::Scene;
+use teeter_study::Timeline;
+
+use super::recorder::Recorder;
+use super::report::Report;
+use crate::error::Error;
+use crate::output::Output;
+use crate::trace::Trace;
+use crate::warnings::Warnings;
+
+/// World with the inputs that act on it, and all that is recorded of it.
+pub struct Simulation<'a> {
+    scene: &'a Scene,
+    world: World,
+    timeline: Timeline,
+    trace: Option<Trace>,
+    warnings: Warnings,
+    recorder: Recorder,
+    /// Processor time of the steps, s.
+    cpu_s: f64,
+}
+
+impl<'a> Simulation<'a> {
+    /// Prepares a simulation of `world`, which was built from `scene`.
+    pub fn new(scene: &'a Scene, world: World, timeline: Timeline, trace: Option<Trace>, warnings: Warnings) -> Self {
+        let recorder = Recorder::new(&world);
+        Self { scene, world, timeline, trace, warnings, recorder, cpu_s: 0.0 }
+    }
+
+    /// Steps the world for a time, s.
+    pub fn run(&mut self, seconds: f64) -> Result<(), Error> {
+        let frames = (seconds / self.world.params().frame).round().max(1.0) as u64;
+        let bar = progress(frames, "frames");
+        self.trace()?;
+        for _ in 0..frames {
+            let input = self.timeline.input(&self.world);
+            let clock = ProcessTime::now();
+            let step = self.world.step(input);
+            self.cpu_s += clock.elapsed().as_secs_f64();
+            for body in &step.quarantined {
+                let (id, time) = (self.scene.blocks[body.index()].id, step.time);
+                let text = format!("block {id} ran away at {time:.2} s and was frozen there");
+                bar.suspend(|| self.warnings.add(&text));
+            }
+            self.recorder.record(&self.world, &step);
+            self.trace()?;
+            bar.inc(1);
+        }
+        bar.finish_and_clear();
+        Ok(())
+    }
+
+    /// Finishes the trace, writes the state at the end and returns the report.
+    pub fn finish(mut self, out: Option<Output>) -> Result<Report, Error> {
+        self.trace.take().map_or(Ok(()), Trace::finish)?;
+        if let [first, ..] = self.timeline.pending() {
+            let count = self.timeline.pending().len();
+            let changes = if count == 1 {
+                "1 change of the inputs begins".into()
+            } else {
+                format!("{count} changes of the inputs begin")
+            };
+            self.warnings.add(&format!("{changes} after the end of the run, the first at {} s", first.time));
+        }
+        if let Some(mut out) = out {
+            out.line(&self.world.to_scene().to_json())?;
+            out.finish()?;
+        }
+        Ok(self.recorder.report(self.scene, &self.world, self.cpu_s, self.warnings))
+    }
+
+    fn trace(&mut self) -> Result<(), Error> {
+        self.trace.as_mut().map_or(Ok(()), |trace| trace.record(&self.world))
+    }
+}
