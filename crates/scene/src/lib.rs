@@ -11,6 +11,7 @@ mod preset;
 mod printable;
 mod random;
 mod scene;
+mod settle;
 mod text;
 mod tower;
 mod validate;
@@ -25,6 +26,7 @@ pub use preset::BlockPreset;
 pub use printable::printable;
 pub use random::Random;
 pub use scene::{Block, Scene, default_stiffness, standard_gravity};
+pub use settle::{Move, Settlement, settle};
 pub use text::{read_text, utf8};
 pub use tower::{
     FIELD_PITCH, LOOSE_CLEARANCE, TowerOptions, WOOD_EDGE_RADIUS, WOOD_RESTITUTION, config, field, loose, tower,
