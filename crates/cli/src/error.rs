@@ -43,6 +43,14 @@ pub enum Error {
     /// Options of a scene that contradict each other.
     #[error(transparent)]
     SceneOptions(#[from] SceneError),
+    /// Scene whose blocks cannot be pushed apart, or that is not valid.
+    #[error("{name}: {source}")]
+    Settle {
+        /// Name of the file or stream.
+        name: String,
+        /// Cause.
+        source: SceneError,
+    },
     /// Scene that cannot be simulated.
     #[error("{name}: {source}")]
     Build {
@@ -149,8 +157,14 @@ pub enum InputError {
     #[error(transparent)]
     Io(#[from] io::Error),
     /// Scene that is not valid, or too large.
-    #[error(transparent)]
+    #[error("{}{}", .0, remedy(.0))]
     Scene(#[from] SceneError),
+    /// File that is larger than is read.
+    #[error("larger than {} MB, the most that is read", .0 / 1_000_000)]
+    TooLarge(u64),
+    /// File that is not text, with the index of the first byte that is not.
+    #[error("this is not text: byte {0} is neither UTF-8 nor UTF-16")]
+    NotText(usize),
     /// Data sheet that is not valid.
     #[error(transparent)]
     DataSheet(#[from] DataSheetError),
@@ -180,6 +194,14 @@ fn obstacle(error: &io::Error) -> String {
         io::ErrorKind::IsADirectory => "this is a folder, expected a file".to_owned(),
         io::ErrorKind::PermissionDenied => "it may not be written".to_owned(),
         _ => error.to_string(),
+    }
+}
+
+/// Means against an error of a scene that no editing of numbers cures.
+fn remedy(error: &SceneError) -> &'static str {
+    match error {
+        SceneError::Overlap { .. } => "; `teeter run --settle` pushes blocks apart",
+        _ => "",
     }
 }
 

@@ -4,7 +4,7 @@ use std::fs::File;
 use std::io::{self, Read};
 use std::path::Path;
 
-use teeter_scene::{MAX_BYTES, Scene, SceneError, named};
+use teeter_scene::{MAX_BYTES, Scene, SceneError, Settlement, named, read_text, settle};
 
 use crate::error::{Error, InputError};
 
@@ -27,6 +27,19 @@ pub fn open(path: &Path, limit: u64) -> Result<Source, Error> {
     Ok(Source { name, reader: Box::new(file) })
 }
 
+/// Reads a text file of at most `limit` bytes, or standard input for `-`: UTF-8 or UTF-16,
+/// compressed by gzip or not. Returns its name for messages besides.
+pub fn text(path: &Path, limit: u64) -> Result<(String, String), Error> {
+    let source = open(path, limit)?;
+    match read_text(source.reader, limit) {
+        Ok(text) => Ok((text, source.name)),
+        // The messages of scenes call the file a scene.
+        Err(SceneError::TooLarge { .. }) => Err(Error::input(&source.name, InputError::TooLarge(limit))),
+        Err(SceneError::NotUtf8(byte)) => Err(Error::input(&source.name, InputError::NotText(byte))),
+        Err(error) => Err(Error::input(&source.name, error)),
+    }
+}
+
 fn open_file(path: &Path, limit: u64) -> Result<File, InputError> {
     let file = File::open(path).map_err(|error| match error.kind() {
         io::ErrorKind::NotFound => InputError::Missing,
@@ -38,7 +51,7 @@ fn open_file(path: &Path, limit: u64) -> Result<File, InputError> {
         return Err(InputError::Folder);
     }
     if metadata.len() > limit {
-        return Err(SceneError::TooLarge { limit_mb: limit / 1_000_000 }.into());
+        return Err(InputError::TooLarge(limit));
     }
     Ok(file)
 }
@@ -46,15 +59,30 @@ fn open_file(path: &Path, limit: u64) -> Result<File, InputError> {
 /// Reads the scene in a file, on standard input, or of that name in the list. A file has priority
 /// over a name.
 pub fn scene(path: &Path) -> Result<Scene, Error> {
+    let (scene, name) = unchecked_scene(path)?;
+    scene.validate().map_err(|error| Error::input(&name, error))?;
+    Ok(scene)
+}
+
+/// Reads a scene as [`scene`] does, and pushes its blocks apart where they overlap.
+pub fn settled_scene(path: &Path) -> Result<(Scene, Settlement), Error> {
+    let (mut scene, name) = unchecked_scene(path)?;
+    let settlement = settle(&mut scene).map_err(|source| Error::Settle { name, source })?;
+    Ok((scene, settlement))
+}
+
+/// Reads a scene that is not validated, and returns its name for messages besides.
+fn unchecked_scene(path: &Path) -> Result<(Scene, String), Error> {
     if let Some(name) = path.to_str()
         && name != "-"
         && name.chars().all(|c| c.is_ascii_alphanumeric() || c == '-')
         && !path.exists()
     {
-        return named_scene(name);
+        return Ok((named_scene(name)?, name.to_owned()));
     }
     let source = open(path, MAX_BYTES)?;
-    Scene::read(source.reader, MAX_BYTES).map_err(|error| Error::input(&source.name, error))
+    let scene = read_text(source.reader, MAX_BYTES).and_then(|text| Scene::parse(&text));
+    Ok((scene.map_err(|error| Error::input(&source.name, error))?, source.name))
 }
 
 /// Returns the scene of that name in the list.

@@ -217,3 +217,37 @@ fn warnings_name_what_a_world_changes() {
     let report = common::teeter_with(&["run", "-", "--seconds", "1", "--json"], sunk.to_json().as_bytes()).json();
     assert_eq!(report["warnings"], serde_json::json!(["2 pairs of blocks overlap, by up to 0.0100 mm"]));
 }
+
+/// Blocks deep inside each other, as a drawing has them, are refused or pushed apart.
+#[test]
+fn overlapping_blocks_are_pushed_apart_on_demand() {
+    let mut scene = teeter_scene::named("test-5").unwrap();
+    scene.blocks[2..].iter_mut().for_each(|block| block.pos[2] -= 3.4e-4);
+    let text = scene.to_json();
+    let refused = common::teeter_with(&["run", "-"], text.as_bytes());
+    let expected = "standard input: blocks 1 and 2: `pos` makes them overlap by 0.340 mm";
+    assert!(refused.error_line().starts_with(expected), "{}", refused.err);
+    assert!(refused.error_line().ends_with("; `teeter run --settle` pushes blocks apart"), "{}", refused.err);
+    let args = ["run", "-", "--settle", "--seconds", "1", "--json"];
+    let report = common::teeter_with(&args, text.as_bytes()).json();
+    assert_eq!(report["warnings"], serde_json::json!(["pushed 2 blocks apart, by up to 0.34 mm"]));
+    assert_eq!(report["stands"], true);
+    assert!(report["max_displacement_mm"].as_f64().unwrap() < 0.01, "{report}");
+    let report = common::teeter_with(&args, teeter(&["scene", "test-5"]).out.as_bytes()).json();
+    assert_eq!(report["warnings"], serde_json::json!([]));
+}
+
+/// Contacts under load are overlaps. Where they are deeper than a scene may have, the end state is
+/// written all the same and can be read on demand.
+#[test]
+fn an_end_state_with_deep_contacts_comes_with_a_warning() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("soft.json");
+    let path = path.to_str().unwrap();
+    let report = report(&["column", "--stiffness", "1e4", "--seconds", "2", "--ramp", "0", "--out", path]);
+    let warning = report["warnings"][0].as_str().unwrap();
+    assert!(warning.starts_with("the state at the end is not a valid scene: block 0: `pos` is 8.936 mm"), "{warning}");
+    assert!(warning.ends_with("; `teeter run --settle` reads it and pushes blocks apart"), "{warning}");
+    teeter(&["run", path]).error_line();
+    assert_eq!(self::report(&[path, "--settle", "--seconds", "1"])["stands"], true);
+}

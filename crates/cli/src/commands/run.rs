@@ -9,6 +9,7 @@ use std::path::{Path, PathBuf};
 
 use clap::Args;
 use teeter_physics::{Params, World};
+use teeter_scene::Scene;
 use teeter_study::Timeline;
 
 use crate::arguments::{EngineArguments, number};
@@ -32,6 +33,9 @@ pub struct Run {
     /// Time over which gravity grows to its full value at the start, s.
     #[arg(long, default_value_t = Params::default().ramp, value_parser = number(0.0, 60.0), value_name = "SECONDS")]
     ramp: f64,
+    /// Push overlapping blocks apart before the run, and say by how much.
+    #[arg(long)]
+    settle: bool,
     /// File of hands, forces, drives and gravity, one JSON object a line with the time from which
     /// it holds, see docs/inputs.md; `-` for standard input.
     #[arg(long, value_name = "FILE")]
@@ -61,7 +65,8 @@ impl Run {
         if self.scene == Path::new("-") && self.inputs.as_ref() == Some(&self.scene) {
             return Err(Error::StdinTwice);
         }
-        let scene = self.engine.material.apply(input::scene(&self.scene)?);
+        let mut warnings = Warnings::default();
+        let scene = self.engine.material.apply(self.read(&mut warnings)?);
         let timeline = self.inputs.as_deref().map_or(Ok(Timeline::default()), |path| inputs::read(path, &scene))?;
         let params = Params { ramp: self.ramp, ..self.engine.params(!self.no_sleep) };
         let world = World::new(&scene, params).map_err(|source| Error::Build { name: scene.name.clone(), source })?;
@@ -71,7 +76,6 @@ impl Run {
             Some(path) => Some(Trace::create(path, &scene, &world, self.trace_every)?),
             None => None,
         };
-        let mut warnings = Warnings::default();
         warnings.add_all_of(&world);
         let mut simulation = Simulation::new(&scene, world, timeline, trace, warnings);
         simulation.run(self.seconds)?;
@@ -79,5 +83,16 @@ impl Run {
         let report = simulation.finish(out)?;
         let text = if self.json { output::to_json(&report) } else { report.text(&scene) };
         output::report(&text, to_stdout)
+    }
+
+    fn read(&self, warnings: &mut Warnings) -> Result<Scene, Error> {
+        if !self.settle {
+            return input::scene(&self.scene);
+        }
+        let (scene, settlement) = input::settled_scene(&self.scene)?;
+        if !settlement.moves.is_empty() {
+            warnings.add(&settlement.to_string());
+        }
+        Ok(scene)
     }
 }

@@ -5,7 +5,7 @@ use std::path::{Path, PathBuf};
 use clap::Args;
 use clap::builder::{PossibleValue, PossibleValuesParser, TypedValueParser};
 use teeter_report::validation::{self, DataSheet, Figure, Options, Size, Topic};
-use teeter_scene::{Form, MAX_BYTES, read_text};
+use teeter_scene::{Form, MAX_BYTES};
 
 use crate::arguments::number;
 use crate::error::Error;
@@ -75,9 +75,8 @@ fn print(figure: &Figure) -> Result<(), Error> {
 }
 
 fn data_sheet(path: &Path) -> Result<DataSheet, Error> {
-    let source = input::open(path, MAX_BYTES)?;
-    let text = read_text(source.reader, MAX_BYTES).map_err(|error| Error::input(&source.name, error))?;
-    text.parse::<DataSheet>().map_err(|error| Error::input(&source.name, error))
+    let (text, name) = input::text(path, MAX_BYTES)?;
+    text.parse::<DataSheet>().map_err(|error| Error::input(&name, error))
 }
 
 /// Parser of the names of topics.

@@ -6,7 +6,7 @@ use std::path::Path;
 use glam::DVec3;
 use serde_json::Value;
 use teeter_physics::{AppliedForce, BodyId, Drive, Grip, Hand};
-use teeter_scene::{MAX_BYTES, Scene, read_text};
+use teeter_scene::{MAX_BYTES, Scene};
 use teeter_study::{Change, HandMotion, HandOrientation, Timeline};
 
 use crate::error::Error;
@@ -52,19 +52,14 @@ struct Blocks(BTreeMap<u32, BodyId>);
 
 /// Reads the changes of a file, which names the blocks of `scene` by their ids.
 pub fn read(path: &Path, scene: &Scene) -> Result<Timeline, Error> {
-    let source = input::open(path, MAX_BYTES)?;
-    let text = read_text(source.reader, MAX_BYTES).map_err(|error| Error::input(&source.name, error))?;
+    let (text, name) = input::text(path, MAX_BYTES)?;
     let blocks = Blocks((0..).map(BodyId).zip(&scene.blocks).map(|(body, block)| (block.id, body)).collect());
     let mut changes = Vec::new();
     for (index, line) in text.lines().enumerate().filter(|(_, line)| !line.trim().is_empty()) {
         let change = parse(line).and_then(|value| change(&value, &blocks));
-        changes.push(change.map_err(|error| Error::Inputs {
-            name: source.name.clone(),
-            line: index + 1,
-            source: error,
-        })?);
+        changes.push(change.map_err(|error| Error::Inputs { name: name.clone(), line: index + 1, source: error })?);
     }
-    if changes.is_empty() { Err(Error::NoInputs { name: source.name }) } else { Ok(Timeline::new(changes)) }
+    if changes.is_empty() { Err(Error::NoInputs { name }) } else { Ok(Timeline::new(changes)) }
 }
 
 fn change(value: &Value, blocks: &Blocks) -> Result<Change, FieldError> {

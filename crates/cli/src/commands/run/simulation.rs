@@ -68,7 +68,12 @@ impl<'a> Simulation<'a> {
             self.warnings.add(&format!("{changes} after the end of the run, the first at {} s", first.time));
         }
         if let Some(mut out) = out {
-            out.line(&self.world.to_scene().to_json())?;
+            let end = self.world.to_scene();
+            if let Err(error) = end.validate() {
+                let remedy = "`teeter run --settle` reads it and pushes blocks apart";
+                self.warnings.add(&format!("the state at the end is not a valid scene: {error}; {remedy}"));
+            }
+            out.line(&end.to_json())?;
             out.finish()?;
         }
         Ok(self.recorder.report(self.scene, &self.world, self.cpu_s, self.warnings))
