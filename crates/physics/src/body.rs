@@ -25,6 +25,8 @@ pub struct Shapes {
     pub friction: Vec<f64>,
     /// Radius of the edges, m; that of sharp blocks follows from their size.
     pub edge_radius: Vec<f64>,
+    /// True if the edges are rounded; the radius of sharp ones only gives them a normal.
+    pub rounded: bool,
     /// Shortest time between two detections of a body, s.
     pub lookahead: Vec<f64>,
     /// Square root of mass over stiffness of the contacts, s: a body of this mass swings on a
@@ -48,6 +50,7 @@ impl Shapes {
             let radius = if scene.edge_radius > 0.0 { scene.edge_radius } else { sharp };
             shapes.edge_radius.push(radius.min(MAX_RADIUS * 2.0 * half.min_element()));
         }
+        shapes.rounded = scene.edge_radius > 0.0;
         shapes.set_form(scene.form, scene.springs.particles);
         shapes
     }
@@ -60,6 +63,7 @@ impl Shapes {
         self.radius.push(from.radius[i]);
         self.friction.push(from.friction[i]);
         self.edge_radius.push(from.edge_radius[i]);
+        self.rounded = from.rounded;
         self.lookahead.push(from.lookahead[i]);
         self.contact_time.push(from.contact_time[i]);
         self.particles.extend(from.particles.get(i));

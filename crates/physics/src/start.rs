@@ -11,7 +11,7 @@ use glam::DVec3;
 use crate::body::{Bodies, FLOOR, middle_edge};
 use crate::body_id::BodyId;
 use crate::cluster::island::islands;
-use crate::collision::manifold::Manifold;
+use crate::collision::manifold::{ContactPoint, Manifold};
 use crate::constants::{START_DAMPING, START_RAMP, START_REACH, START_SPEED, START_TIME, TOUCH_GAP};
 use crate::input::Input;
 use crate::pose::Twist;
@@ -150,6 +150,14 @@ impl World {
             self.set_twist(body, initial.twist(body));
         }
         for cluster in &mut self.clusters.list {
+            let moved_back = |i: u32| i != FLOOR && !settled(BodyId(cluster.ids[i as usize]));
+            let stale = |m: &&mut Manifold| moved_back(m.a) || moved_back(m.b);
+            cluster
+                .contacts
+                .manifolds
+                .iter_mut()
+                .filter(stale)
+                .for_each(|m| m.points.iter_mut().for_each(ContactPoint::reset));
             cluster.contacts.detect_all(&cluster.shapes, &mut cluster.bodies);
             cluster.outgrown = true;
         }

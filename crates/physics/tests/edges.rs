@@ -82,9 +82,15 @@ fn blocks_that_lean_together_stand_from_the_friction_that_statics_asks_for() {
                         let start = energy(&world);
                         let at = position(&world, 0);
                         let mut gain = 0.0f64;
-                        for _ in 0..120 {
+                        let mut last = 0.0;
+                        for f in 0..120 {
                             world.step(&Input::default());
-                            gain = gain.max(energy(&world) / start - 1.0);
+                            let e = energy(&world) / start - 1.0;
+                            if e > last + 1e-5 && e > 0.0 {
+                                println!("  frame {f}: {last:.2e} to {e:.2e}");
+                            }
+                            last = e;
+                            gain = gain.max(e);
                         }
                         println!(
                             "{form} {stiffness:e} r {radius} {degrees} mu {friction:.3} ({offset}): moved {:.6} mm from scene {:.6}, energy {:+.1e}",
@@ -98,4 +104,20 @@ fn blocks_that_lean_together_stand_from_the_friction_that_statics_asks_for() {
         }
     }
     let _ = (BodyId(0), Params::default());
+}
+
+#[test]
+fn probe() {
+    let scene = Scene { stiffness: 1e6, friction: 0.188, ..frame(30f64.to_radians(), 3e-4) };
+    let mut world = World::new(&scene, awake()).unwrap();
+    for f in 0..6 {
+        for b in world.bodies() {
+            println!("{f} body {b} {:?} {:?}", world.pose(b).position * 1e3, world.twist(b).velocity);
+            for c in world.contacts(b) {
+                println!("    {:?} n {:?} f {:.5}", c.other, c.normal, c.force);
+            }
+        }
+        let r = world.step(&Input::default());
+        println!("{r:?}");
+    }
 }

@@ -4,6 +4,7 @@ use glam::DVec3;
 
 use crate::body::FLOOR;
 use crate::collision::cuboid::Cuboid;
+use crate::collision::face_contact::rounding;
 use crate::collision::manifold::{ContactPoint, Manifold, SeparatingAxis};
 use crate::collision::pair_status::PairStatus;
 use crate::collision::polygon::{Corner, Patch};
@@ -37,7 +38,13 @@ pub fn box_floor(b: &Cuboid, limit: f64, last: Option<SeparatingAxis>, to: &mut 
     let mut center = DVec3::ZERO;
     center[k] = outward * b.half[k];
     let sides = [(1.0, 1.0), (-1.0, 1.0), (-1.0, -1.0), (1.0, -1.0)];
-    let patch = Patch::new(&sides.map(|(x, y)| Corner { u: x * b.half[ip], v: y * b.half[iq], gap: 0.0 }));
+    // A tilted block bears on its rounding, which lies one radius below the core. The floor has no
+    // edges, so sharp blocks keep theirs.
+    let radius = if b.rounded { b.radius } else { 0.0 };
+    let inset = radius * rounding((up[ip] * up[ip] + up[iq] * up[iq]).sqrt());
+    let half = [b.half[ip] - inset, b.half[iq] - inset];
+    let rise = DVec3::from_array(std::array::from_fn(|i| if i == k { -outward * radius } else { 0.0 })) - up * radius;
+    let patch = Patch::new(&sides.map(|(x, y)| Corner { u: x * half[0], v: y * half[1], gap: 0.0 }));
     let ground = |local: DVec3| {
         let x = b.center + b.axes * local;
         DVec3::new(x.x, x.y, 0.0)
@@ -45,8 +52,9 @@ pub fn box_floor(b: &Cuboid, limit: f64, last: Option<SeparatingAxis>, to: &mut 
     let centroid = ground(center);
     let points = sides.iter().map(|(x, y)| {
         let mut anchor_b = center;
-        anchor_b[ip] = x * b.half[ip];
-        anchor_b[iq] = y * b.half[iq];
+        anchor_b[ip] = x * half[0];
+        anchor_b[iq] = y * half[1];
+        anchor_b += rise;
         let x = b.center + b.axes * anchor_b;
         let anchor_a = DVec3::new(x.x, x.y, 0.0);
         let arm = anchor_a - centroid;

@@ -167,6 +167,7 @@ pub fn cuboid(shapes: &Shapes, bodies: &Bodies, i: u32) -> Cuboid {
     if i != FLOOR {
         let i = i as usize;
         (cuboid.half, cuboid.radius) = (bodies.half(shapes, i), shapes.edge_radius[i]);
+        cuboid.rounded = shapes.rounded;
         (cuboid.velocity, cuboid.spin) = (bodies.velocity[i], bodies.spin[i]);
         (cuboid.lookahead, cuboid.contact_time) = (shapes.lookahead[i], shapes.contact_time[i]);
     }

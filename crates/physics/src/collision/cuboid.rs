@@ -17,6 +17,8 @@ pub struct Cuboid {
     pub half: DVec3,
     /// Radius of the edges, m.
     pub radius: f64,
+    /// True if the edges are rounded; the radius of sharp ones only gives them a normal.
+    pub rounded: bool,
     /// Velocity of the centre, m/s.
     pub velocity: DVec3,
     /// Angular velocity, rad/s.

@@ -17,6 +17,9 @@ type Pairs = ArrayVec<[DVec3; 2], 2>;
 /// touch in one point.
 const MIN_INTERVAL: f64 = 4e-3;
 
+/// Largest cosine of the angle between the normal and edges that touch along their length.
+const MAX_ALONG: f64 = 0.05;
+
 /// Sets the manifold of edges or corners of two rounded boxes from the nearest points of their
 /// cores. The normal leads from one core to the other, and the separation is their distance less
 /// both radii.
@@ -28,34 +31,38 @@ pub fn round_contact(a: &Cuboid, b: &Cuboid, nearest: &Nearest, to: &mut Manifol
 /// Nearest points of two cores; two pairs of them, at the ends of the interval that the edges
 /// share, where these are parallel.
 fn common_interval(a: &Cuboid, b: &Cuboid, nearest: &Nearest) -> Pairs {
-    let pairs = match nearest.features {
-        [Feature::Edge(i), Feature::Corner] => along_edge(&a.core(), i, &b.core(), nearest.points),
-        [Feature::Corner, Feature::Edge(j)] => {
-            let [p, q] = nearest.points;
-            along_edge(&b.core(), j, &a.core(), [q, p]).map(|ends| ends.map(|[q, p]| [p, q]))
+    let (a, b) = (&a.core(), &b.core());
+    let may_be = |feature, axis| feature == Feature::Corner || feature == Feature::Edge(axis);
+    let [on_a, on_b] = nearest.features;
+    let across = |c: &Cuboid, axis: usize| nearest.normal.dot(c.axes.col(axis)).abs() < MAX_ALONG;
+    for i in (0..3).filter(|&i| may_be(on_a, i) && across(a, i)) {
+        for j in (0..3).filter(|&j| may_be(on_b, j) && across(b, j)) {
+            if let Some(ends) = shared_ends((a, i), (b, j), nearest.points) {
+                return Pairs::from(ends);
+            }
         }
-        _ => None,
-    };
-    pairs.map_or_else(|| Pairs::from_iter([nearest.points]), Pairs::from)
+    }
+    Pairs::from_iter([nearest.points])
 }
 
-/// Ends of the interval that the edge of `a` along axis `i` shares with a parallel edge of `b`, as
-/// points of `a` and of `b`; none where no edge of `b` at the corner is parallel, or the interval
-/// is short. The edges pass through the two points given, the second being a corner.
-fn along_edge(a: &Cuboid, i: usize, b: &Cuboid, [p, q]: [DVec3; 2]) -> Option<[[DVec3; 2]; 2]> {
-    let d = a.axes.col(i);
-    let j = (0..3).find(|&j| d.cross(b.axes.col(j)).length_squared() < MIN_EDGE_SINE * MIN_EDGE_SINE)?;
-    let e = b.axes.col(j);
+/// Ends of the interval that an edge of `a` along axis `i` and one of `b` along axis `j` share, as
+/// points of both; none where they are not parallel, or share too little. The edges pass through
+/// the points given.
+fn shared_ends((a, i): (&Cuboid, usize), (b, j): (&Cuboid, usize), [p, q]: [DVec3; 2]) -> Option<[[DVec3; 2]; 2]> {
+    let (d, e) = (a.axes.col(i), b.axes.col(j));
+    if d.cross(e).length_squared() > MIN_EDGE_SINE * MIN_EDGE_SINE {
+        return None;
+    }
     let cosine = d.dot(e);
     // Positions along the edge of `a`, from its middle.
-    let (at, corner) = ((p - a.center).dot(d), (q - a.center).dot(d));
-    let other = corner - 2.0 * b.half[j] * cosine * (q - b.center).dot(e).signum();
-    let low = corner.min(other).max(-a.half[i]);
-    let high = corner.max(other).min(a.half[i]);
+    let (at, other) = ((p - a.center).dot(d), (q - a.center).dot(d));
+    let middle = other - (q - b.center).dot(e) * cosine;
+    let half = b.half[j] * cosine.abs();
+    let (low, high) = ((middle - half).max(-a.half[i]), (middle + half).min(a.half[i]));
     if high - low < MIN_INTERVAL * a.middle_edge().min(b.middle_edge()) {
         return None;
     }
-    Some([low, high].map(|end| [p + d * (end - at), q + e * ((end - corner) / cosine)]))
+    Some([low, high].map(|end| [p + d * (end - at), q + e * ((end - other) / cosine)]))
 }
 
 /// Sets the manifold of two crossing edges, which has a single point.

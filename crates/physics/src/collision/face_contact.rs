@@ -31,13 +31,6 @@ impl<'a> FacePair<'a> {
         self.facing.sine < FLAT_SINE
     }
 
-    /// Part of the radius by which a rounded face is smaller than the sharp one. A block that lies
-    /// flat bears on its whole face; one that is tilted bears on the rounding.
-    fn rounding(&self) -> f64 {
-        let t = ((self.facing.sine - LEVEL_SINE) / (FLAT_SINE - LEVEL_SINE)).clamp(0.0, 1.0);
-        t * t * (3.0 - 2.0 * t)
-    }
-
     /// Face of B clipped by that of A, both smaller by `part` of their radii.
     fn polygon(&self, part: f64) -> Polygon {
         let &Self { a, b, axis, normal, facing } = self;
@@ -68,7 +61,7 @@ impl<'a> FacePair<'a> {
 
     /// Sets the manifold. Returns false if the faces do not overlap in plan.
     pub fn contact(&self, to: &mut Manifold) -> bool {
-        let polygon = self.polygon(self.rounding());
+        let polygon = self.polygon(rounding(self.facing.sine));
         if polygon.is_empty() || !self.cores_overlap(&polygon) {
             return false;
         }
@@ -103,6 +96,14 @@ impl<'a> FacePair<'a> {
         to.set([a.body, b.body], (frame, centroid), &patch, points);
         true
     }
+}
+
+/// Part of the radius by which a rounded face is smaller than the sharp one, from the sine of its
+/// angle with the plane that it touches. A block that lies flat bears on its whole face; one that
+/// is tilted bears on the rounding.
+pub fn rounding(sine: f64) -> f64 {
+    let t = ((sine - LEVEL_SINE) / (FLAT_SINE - LEVEL_SINE)).clamp(0.0, 1.0);
+    t * t * (3.0 - 2.0 * t)
 }
 
 /// Returns true if the mean of the corners lies at least `depth` (m) inside every side.
