@@ -170,6 +170,12 @@ fn unknown_fields_get_the_nearest_known_name() {
             "block 9: `postion` is not a field of a block: write `pos`, the [x, y, z] of the centre in m",
         ),
         ("/blocks/1", "orientatoin", "block 9: `orientatoin` is not a field of a block: did you mean `orientation`?"),
+        ("", "mass", "`mass` is not a field of a scene: `mass` is one of a block"),
+        (
+            "/blocks/1",
+            "restitution",
+            "block 9: `restitution` is not a field of a block: `restitution` is one of a scene",
+        ),
         ("/springs", "dampening", "`springs`: `dampening` is not a field of springs: did you mean `damping`?"),
         (
             "/springs",

@@ -6,6 +6,7 @@ use serde::de::{DeserializeSeed, Deserializer, IgnoredAny, MapAccess, SeqAccess}
 use serde::ser::{SerializeMap, Serializer};
 use serde::{Deserialize, Serialize};
 
+use super::names::Known;
 use super::object::{Fields, Object, required};
 use super::value::{Flag, Gravity, Kind, Number, Numbers, Optional, Text, Value, Whole, Word};
 use crate::form::{Form, Particles, Springs};
@@ -14,6 +15,39 @@ use crate::validate::MAX_BLOCKS;
 
 /// Maximum length of a name, bytes: that of a configuration of 200 rows, and more.
 const MAX_NAME: usize = 10_000;
+
+/// Fields of a scene. The last four are for people and other programs: any value, which is ignored.
+const SCENE: Known = (
+    "a scene",
+    &[
+        "name",
+        "gravity",
+        "friction",
+        "kinetic_friction",
+        "restitution",
+        "stiffness",
+        "edge_radius",
+        "form",
+        "springs",
+        "blocks",
+        "label",
+        "margin",
+        "tilt_az",
+        "truth",
+        "family",
+        "rows",
+        "comment",
+    ],
+);
+
+/// Fields of a block. The last one is for people: any value, which is ignored.
+const BLOCK: Known = (
+    "a block",
+    &["id", "size", "mass", "pos", "yaw", "orientation", "velocity", "spin", "fixed", "friction", "comment"],
+);
+
+/// Fields of springs.
+const SPRINGS: Known = ("springs", &["stiffness", "damping", "particles"]);
 
 impl<'de> Deserialize<'de> for Scene {
     fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
@@ -85,27 +119,8 @@ struct SceneFields {
 }
 
 impl Fields for SceneFields {
-    const KIND: &'static str = "a scene";
-    /// The last four are for people and other programs: any value, which is ignored.
-    const NAMES: &'static [&'static str] = &[
-        "name",
-        "gravity",
-        "friction",
-        "kinetic_friction",
-        "restitution",
-        "stiffness",
-        "edge_radius",
-        "form",
-        "springs",
-        "blocks",
-        "label",
-        "margin",
-        "tilt_az",
-        "truth",
-        "family",
-        "rows",
-        "comment",
-    ];
+    const KNOWN: Known = SCENE;
+    const OTHERS: &'static [Known] = &[BLOCK, SPRINGS];
     type Out = Scene;
 
     fn read<'de, A: MapAccess<'de>>(&mut self, name: &str, map: &mut A) -> Result<(), A::Error> {
@@ -190,10 +205,8 @@ struct BlockFields {
 }
 
 impl Fields for BlockFields {
-    const KIND: &'static str = "a block";
-    /// The last one is for people: any value, which is ignored.
-    const NAMES: &'static [&'static str] =
-        &["id", "size", "mass", "pos", "yaw", "orientation", "velocity", "spin", "fixed", "friction", "comment"];
+    const KNOWN: Known = BLOCK;
+    const OTHERS: &'static [Known] = &[SCENE, SPRINGS];
     type Out = Block;
 
     fn read<'de, A: MapAccess<'de>>(&mut self, name: &str, map: &mut A) -> Result<(), A::Error> {
@@ -237,8 +250,8 @@ impl Fields for BlockFields {
 }
 
 impl Fields for Springs {
-    const KIND: &'static str = "springs";
-    const NAMES: &'static [&'static str] = &["stiffness", "damping", "particles"];
+    const KNOWN: Known = SPRINGS;
+    const OTHERS: &'static [Known] = &[SCENE, BLOCK];
     type Out = Self;
 
     fn read<'de, A: MapAccess<'de>>(&mut self, name: &str, map: &mut A) -> Result<(), A::Error> {

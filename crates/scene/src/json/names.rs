@@ -44,18 +44,26 @@ const FOREIGN: &[(&[&str], &str)] = &[
     (&["g", "gravityvector"], "write `gravity`, one number: the acceleration downwards in m/s²"),
     (&["bodies", "objects", "boxes", "bricks", "actors", "links"], "write `blocks`"),
     (&["k", "contactstiffness", "kn", "ke"], "write `stiffness` in N/m"),
-    (&["radius", "bevel", "rounding", "edgerounding", "fillet", "margin"], "write `edge_radius` of the scene in m"),
+    (&["radius", "bevel", "rounding", "edgerounding", "fillet"], "write `edge_radius` of the scene in m"),
     (&["title", "scene"], "write `name`"),
     (&["dt", "timestep", "frame", "substeps"], "the time step belongs to the run, not to the scene"),
-    (&["description", "note", "notes", "comments", "source", "author", "color", "colour"], "write `comment`"),
+    (&["description", "note", "notes", "comments", "remark"], "write `comment`"),
 ];
 
-/// Message about a field that an object does not have. `kind` is the object with its article.
-pub fn unknown(name: &str, kind: &str, known: &[&str]) -> String {
+/// Kind of object with its article, and the names of its fields.
+pub type Known = (&'static str, &'static [&'static str]);
+
+/// Message about a field that an object does not have, but perhaps one of the other kinds of
+/// object.
+pub fn unknown(name: &str, (kind, known): Known, others: &[Known]) -> String {
     let message = format!("`{}` is not a field of {kind}", shown(name));
     let folded = fold(name);
-    if let Some(same) = known.iter().find(|k| fold(k) == folded) {
+    let is_same = |k: &&&str| fold(k) == folded;
+    if let Some(same) = known.iter().find(is_same) {
         return format!("{message}: did you mean `{same}`?");
+    }
+    if let Some((owner, same)) = others.iter().find_map(|(kind, known)| Some((kind, known.iter().find(is_same)?))) {
+        return format!("{message}: `{same}` is one of {owner}");
     }
     let foreign = || FOREIGN.iter().flat_map(|(names, advice)| names.iter().map(move |name| (*name, *advice)));
     if let Some((_, advice)) = foreign().find(|(name, _)| *name == folded) {
@@ -100,8 +108,16 @@ mod tests {
     }
 
     #[test]
+    fn a_field_of_another_kind_of_object_is_named_with_its_owner() {
+        let block: Known = ("a block", &["mass", "friction"]);
+        let scene: Known = ("a scene", &["friction", "restitution"]);
+        let message = unknown("Restitution", block, &[scene]);
+        assert_eq!(message, "`Restitution` is not a field of a block: `restitution` is one of a scene");
+    }
+
+    #[test]
     fn a_misspelt_name_gets_the_nearest_one() {
-        let known = ["name", "friction", "kinetic_friction", "stiffness", "restitution"];
+        let known: Known = ("a scene", &["name", "friction", "kinetic_friction", "stiffness", "restitution"]);
         for (name, nearest) in [
             ("stifness", "stiffness"),
             ("kinetic_fricton", "kinetic_friction"),
@@ -109,11 +125,11 @@ mod tests {
             ("KineticFriction", "kinetic_friction"),
             ("restituion", "restitution"),
         ] {
-            let message = unknown(name, "a scene", &known);
+            let message = unknown(name, known, &[]);
             assert_eq!(message, format!("`{name}` is not a field of a scene: did you mean `{nearest}`?"));
         }
         assert_eq!(
-            unknown("\u{1b}[31mzebra", "a scene", &known[..2]),
+            unknown("\u{1b}[31mzebra", (known.0, &["name", "friction"]), &[]),
             "` [31mzebra` is not a field of a scene, which has `name`, `friction`"
         );
     }
