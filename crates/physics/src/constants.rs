@@ -54,6 +54,9 @@ pub const BUDGET_CHECK_INTERVAL: usize = 4;
 /// Relaxation time of the Maxwell element, s. It damps the slow sway of a tower; a shorter time
 /// softens impacts.
 pub const MAXWELL_TIME: f64 = 0.01;
+/// Speed of the bodies of a contact from which they part in an impact, m/s: far above that of blocks
+/// at rest.
+pub const PARTING_SPEED: f64 = 2e-3;
 /// Tangential over normal stiffness.
 pub const TANGENTIAL_STIFFNESS: f64 = 0.8;
 /// Tangential over normal damping.

@@ -10,7 +10,7 @@ use crate::constants::{
 };
 use crate::lattice::springs::Springs;
 use crate::params::Params;
-use crate::restitution::damping_ratio;
+use crate::restitution::{Impact, STEP_DAMPING};
 
 /// Quantities that are the same for all bodies and frames of a world.
 #[derive(Debug, Clone, Copy)]
@@ -21,8 +21,8 @@ pub struct Derived {
     pub friction: f64,
     /// Kinetic over static friction.
     pub kinetic_ratio: f64,
-    /// Damping ratio of contacts.
-    pub zeta: f64,
+    /// Damping of contacts, and recovery of their springs.
+    pub impact: Impact,
     /// Normal stiffness of a contact of [`REFERENCE_AREA`], N/m.
     pub stiffness: f64,
     /// Springs within the blocks; none for rigid blocks.
@@ -44,10 +44,10 @@ pub struct Derived {
 impl Derived {
     /// Derives all quantities; `masses` are those of the scene's blocks.
     pub fn new(scene: &Scene, params: &Params, masses: Masses) -> Self {
-        let zeta = damping_ratio(scene.restitution);
+        let impact = Impact::new(scene.restitution);
         let springs = (scene.form == Form::Lattice).then(|| Springs::new(scene));
         let mobility = springs.map_or(CROSSED_MOBILITY, |springs| crossed_mobility(springs.inset));
-        let contact = step_fraction(zeta, mobility) * (masses.step / scene.stiffness).sqrt();
+        let contact = step_fraction(impact.zeta.max(STEP_DAMPING), mobility) * (masses.step / scene.stiffness).sqrt();
         let longest = springs.map_or(contact, |springs| contact.min(springs.max_step(masses.min)));
         let substeps = (params.frame / longest).ceil().max(1.0) as usize;
         Self {
@@ -57,7 +57,7 @@ impl Derived {
                 Some(kinetic) if scene.friction > 0.0 => kinetic / scene.friction,
                 _ => 1.0,
             },
-            zeta,
+            impact,
             stiffness: scene.stiffness,
             springs,
             masses,

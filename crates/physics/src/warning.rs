@@ -17,12 +17,12 @@ const ROUNDING: f64 = 1e-6;
 ///
 /// let mut scene = teeter_scene::named("block").unwrap();
 /// assert!(World::new(&scene, Params::default())?.warnings().is_empty());
-/// scene.restitution = 0.9;
+/// scene.restitution = 0.99;
 /// let warnings = World::new(&scene, Params::default())?.warnings();
-/// assert!(matches!(warnings[..], [Warning::Restitution { value: 0.9, .. }]));
+/// assert!(matches!(warnings[..], [Warning::Restitution { value: 0.99, .. }]));
 /// assert_eq!(
 ///     warnings[0].to_string(),
-///     "`restitution` is 0.9, contacts have 0.61: they can have 0.43 to 0.61"
+///     "`restitution` is 0.99, contacts have 0.96: they can have 0 to 0.96"
 /// );
 /// # Ok::<(), teeter_physics::BuildError>(())
 /// ```
@@ -50,7 +50,7 @@ impl fmt::Display for Warning {
         match self {
             Self::Restitution { value, used } => {
                 let (min, max) = restitution_range();
-                write!(f, "`restitution` is {value}, contacts have {used:.2}: they can have {min:.2} to {max:.2}")
+                write!(f, "`restitution` is {value}, contacts have {used:.2}: they can have {min} to {max:.2}")
             }
             Self::Overlap { pairs, depth } => {
                 let pairs = if *pairs == 1 {

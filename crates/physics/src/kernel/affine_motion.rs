@@ -33,6 +33,11 @@ impl<L: Lanes> RelativeMotion<L> for AffineMotion<L> {
     }
 
     #[inline(always)]
+    fn normal_velocity(&self) -> L {
+        self.v[0]
+    }
+
+    #[inline(always)]
     fn velocity_at(&self, r: &[L; 2], q: &[L; 3]) -> [L; 4] {
         let [x, y] = &self.gradient;
         let spin = (x[2] - y[1]) * L::splat_f64(0.5);

@@ -86,6 +86,9 @@ pub trait RelativeMotion<L: Lanes> {
     /// Zero wrench.
     fn zero_wrench() -> Self::Wrench;
 
+    /// Velocity of the centroid along the normal.
+    fn normal_velocity(&self) -> L;
+
     /// Velocity of a point: along the normal at `arm`; along the tangents at `friction_arm`, whose
     /// third component is the arm of the turning about the normal.
     fn velocity_at(&self, arm: &[L; 2], friction_arm: &[L; 3]) -> [L; 4];

@@ -6,10 +6,10 @@
 //! Arrays are written out instead of mapped: a closure passed to `map` is not always inlined, which
 //! costs ten times the time where wider registers are used than the program was built for.
 
-use crate::constants::{MAXWELL_TIME, STRIBECK_SPEED, TANGENTIAL_DAMPING, TANGENTIAL_STIFFNESS};
+use crate::constants::{MAXWELL_TIME, PARTING_SPEED, STRIBECK_SPEED, TANGENTIAL_DAMPING, TANGENTIAL_STIFFNESS};
 use crate::derived::Derived;
 use crate::kernel::body_model::{BodyModel, RelativeMotion};
-use crate::kernel::layout::{Group, PointLanes, Row};
+use crate::kernel::layout::{Group, PointLanes, Row, SLOTS};
 use crate::kernel::vector::{LaneArray, load, load3};
 use crate::simd::lanes::{LANES, Lanes, Real};
 
@@ -22,6 +22,13 @@ pub struct ContactLaw<R> {
     pub tangential_stiffness: R,
     /// Tangential over normal ratio of damping to stiffness.
     pub tangential_damping_time: R,
+    /// Displacement in a substep from which the bodies of a contact part, m; infinite where springs
+    /// recover fully.
+    pub parting: R,
+    /// Part of the force of the springs that is left as the bodies part.
+    pub recovery: R,
+    /// Part of a tension of the damper that holds them back.
+    pub adhesion: R,
     /// Inverse square of the displacement in a substep at [`STRIBECK_SPEED`], 1/m².
     pub stribeck: R,
 }
@@ -34,6 +41,9 @@ impl<R: Real> ContactLaw<R> {
             maxwell_decay: R::from_f64(1.0 - derived.h / MAXWELL_TIME),
             tangential_stiffness: R::from_f64(TANGENTIAL_STIFFNESS),
             tangential_damping_time: R::from_f64(TANGENTIAL_DAMPING / TANGENTIAL_STIFFNESS),
+            parting: R::from_f64(if !derived.impact.recovers() { derived.h * PARTING_SPEED } else { f64::INFINITY }),
+            recovery: R::from_f64(derived.impact.recovery),
+            adhesion: R::from_f64(derived.impact.adhesion),
             stribeck: R::from_f64(1.0 / (displacement * displacement)),
         }
     }
@@ -93,6 +103,7 @@ pub fn apply_contacts<L: Lanes, B: BodyModel<L::Scalar>>(
 }
 
 /// Contact law and damping of one part of a group.
+#[derive(Clone, Copy)]
 struct PartLaw<'a, L: Lanes> {
     part: usize,
     /// The same number, see [`reload`].
@@ -102,6 +113,8 @@ struct PartLaw<'a, L: Lanes> {
     damping_time: L,
     /// Kinetic coefficient of friction, and what the static one exceeds it by.
     friction: [&'a LaneArray<L::Scalar>; 2],
+    /// Parts of the force of the springs and of a tension of the damper that are left.
+    left: [L; 2],
 }
 
 /// Returns its argument in a way that hides from the compiler that it is the same: what is loaded
@@ -120,8 +133,7 @@ fn reload(part: usize) -> usize {
     part
 }
 
-/// Wrench of one part of a group whose fullest lane has `count` points. The slots are unrolled by
-/// hand because the compiler keeps a loop over them.
+/// Wrench of one part of a group whose fullest lane has `count` points.
 #[inline(always)]
 fn contact_wrench<L: Lanes, M: RelativeMotion<L>>(
     group: &mut Group<L::Scalar>,
@@ -133,28 +145,48 @@ fn contact_wrench<L: Lanes, M: RelativeMotion<L>>(
     let mut wrench = M::zero_wrench();
     let damping_time = load(&group.damping_time, part);
     let friction = [&group.mu_kinetic, &group.mu_excess];
-    let law = PartLaw { part, again: reload(part), law, damping_time, friction };
-    let [p, q, r, s] = &mut group.points;
-    if count > 0 {
-        contact_point(p, &law, motion, &mut wrench);
-    }
-    if count > 1 {
-        contact_point(q, &law, motion, &mut wrench);
-    }
-    if count > 2 {
-        contact_point(r, &law, motion, &mut wrench);
-    }
-    if count > 3 {
-        contact_point(s, &law, motion, &mut wrench);
+    let parting = L::splat(law.parting).less_than(motion.normal_velocity());
+    let one = L::splat_f64(1.0);
+    let law = PartLaw { part, again: reload(part), law, damping_time, friction, left: [one, L::zero()] };
+    if L::any(parting) {
+        let recovery = L::select(parting, L::splat(law.law.recovery), one);
+        let left = [recovery, L::mask(parting, L::splat(law.law.adhesion))];
+        contact_points::<L, M, true>(&mut group.points, count, &PartLaw { left, ..law }, motion, &mut wrench);
+    } else {
+        contact_points::<L, M, false>(&mut group.points, count, &law, motion, &mut wrench);
     }
     wrench
 }
 
+/// Contact law at the points of one part of a group, of which bodies part in some lane where
+/// `PARTING`. The slots are unrolled by hand because the compiler keeps a loop over them.
+#[inline(always)]
+fn contact_points<L: Lanes, M: RelativeMotion<L>, const PARTING: bool>(
+    [p, q, r, s]: &mut [PointLanes<L::Scalar>; SLOTS],
+    count: u8,
+    law: &PartLaw<L>,
+    motion: &M,
+    wrench: &mut M::Wrench,
+) {
+    if count > 0 {
+        contact_point::<L, M, PARTING>(p, law, motion, wrench);
+    }
+    if count > 1 {
+        contact_point::<L, M, PARTING>(q, law, motion, wrench);
+    }
+    if count > 2 {
+        contact_point::<L, M, PARTING>(r, law, motion, wrench);
+    }
+    if count > 3 {
+        contact_point::<L, M, PARTING>(s, law, motion, wrench);
+    }
+}
+
 /// Contact law at one point of each lane, from the motion of B relative to A.
 #[inline(always)]
-fn contact_point<L: Lanes, M: RelativeMotion<L>>(
+fn contact_point<L: Lanes, M: RelativeMotion<L>, const PARTING: bool>(
     p: &mut PointLanes<L::Scalar>,
-    &PartLaw { part, again, law, damping_time, friction }: &PartLaw<L>,
+    &PartLaw { part, again, law, damping_time, friction, left }: &PartLaw<L>,
     motion: &M,
     wrench: &mut M::Wrench,
 ) {
@@ -181,7 +213,9 @@ fn contact_point<L: Lanes, M: RelativeMotion<L>>(
     }
     let maxwell = L::mask(closed, load::<L>(&p.maxwell, part) * L::splat(law.maxwell_decay) + vn);
     let k = L::mask(closed, load::<L>(&p.stiffness, part));
-    let normal_force = (k * ((gap + maxwell) + damping_time * vn)).min(zero);
+    let spring = if PARTING { (gap + maxwell) * left[0] } else { gap + maxwell };
+    let unlimited = k * (spring + damping_time * vn);
+    let normal_force = unlimited.min(zero);
     maxwell.store(&mut p.maxwell.0, part);
 
     // Tangential: spring and damper within Coulomb's cone, which sliding and turning share.
@@ -204,6 +238,7 @@ fn contact_point<L: Lanes, M: RelativeMotion<L>>(
     s3.store(&mut p.tangential[2].0, part);
 
     let arm = [load::<L>(&p.arm[0], again), load::<L>(&p.arm[1], again)];
+    let normal_force = if PARTING { normal_force + (unlimited - normal_force) * left[1] } else { normal_force };
     M::subtract_force(wrench, &[normal_force, g1, g2, g3], &arm, &load3(&p.friction_arm, again));
 }
 

@@ -306,6 +306,6 @@ fn stable_spring(manifold: &Manifold, &PackInput { shapes, bodies, derived, .. }
     let limit = if manifold.a == FLOOR { FLOOR_STEP_LIMIT } else { STEP_LIMIT };
     let (h, x) = (derived.h, manifold.mobility);
     let stiffness = (derived.stiffness * manifold.area_ratio).min(0.6 * limit / (2.0 * h * h * x));
-    let damping = 2.0 * derived.zeta * (stiffness * mass).sqrt();
+    let damping = 2.0 * derived.impact.zeta * (stiffness * mass).sqrt();
     (stiffness, damping.min((limit - 2.0 * h * h * stiffness * x) / (2.0 * h * x)))
 }

@@ -59,6 +59,11 @@ impl<L: Lanes> RelativeMotion<L> for RigidMotion<L> {
     }
 
     #[inline(always)]
+    fn normal_velocity(&self) -> L {
+        self.v[0]
+    }
+
+    #[inline(always)]
     fn velocity_at(&self, [r1, r2]: &[L; 2], [q1, q2, turn]: &[L; 3]) -> [L; 4] {
         let (v, w) = (&self.v, &self.w);
         [v[0] + (w[1] * *r2 - w[2] * *r1), v[1] - w[0] * *q2, v[2] + w[0] * *q1, w[0] * *turn]
