@@ -29,8 +29,10 @@ pub struct Nearest {
     pub distance: f64,
 }
 
-/// Relative shortfall of a separation along the normal that rounding explains.
-const ROUNDING: f64 = 1e-4;
+/// Relative shortfall of a separation along the normal that rounding explains: of parallel edges
+/// with ends side by side any may be nearest, and the normal leans towards the next by rounding over
+/// distance.
+const ROUNDING: f64 = 1e-2;
 
 /// Best pair of points so far.
 struct Search {
