@@ -64,8 +64,14 @@ fn the_list_and_its_scenes() {
     for (entry, row) in NAMED.iter().zip(json["scenes"].as_array().unwrap()) {
         assert!(plain.out.contains(entry.title));
         assert_eq!((row["name"].as_str(), row["title"].as_str()), (Some(entry.name), Some(entry.title)));
-        let printed = if entry.name == "tower" { continue } else { teeter(&["scene", entry.name]) };
-        assert_eq!(Scene::from_json(&printed.out).unwrap(), entry.scene());
+        let printed = teeter(&["scene", entry.name]);
+        let printed = Scene::from_json(&printed.out).unwrap();
+        // Commands of the same name, whose defaults are these scenes.
+        if ["tower", "cards"].contains(&entry.name) {
+            assert_eq!(printed.blocks, entry.scene().blocks);
+            continue;
+        }
+        assert_eq!(printed, entry.scene());
     }
 }
 
@@ -74,4 +80,33 @@ fn a_printed_scene_can_be_run() {
     let printed = teeter(&["scene", "tower", "--rows", "4", "--seed", "5"]);
     let report = teeter_with(&["run", "-", "--seconds", "1", "--json"], printed.out.as_bytes()).json();
     assert_eq!(report["stands"], true);
+}
+
+/// Each storey has a frame of two cards less than the one below, and level cards between them.
+#[test]
+fn houses_of_cards() {
+    for (storeys, count) in [("1", 2), ("2", 7), ("4", 26), ("5", 40)] {
+        let scene = Scene::from_json(&teeter(&["scene", "cards", "--storeys", storeys]).out).unwrap();
+        assert_eq!(scene.blocks.len(), count, "{storeys}");
+    }
+    let sharp = teeter(&["scene", "cards", "--edge-radius", "0", "--pitch", "94", "--friction", "0.8"]);
+    let sharp = Scene::from_json(&sharp.out).unwrap();
+    assert_eq!((sharp.edge_radius, sharp.friction), (0.0, 0.8));
+    for (flag, value, found) in
+        [("--storeys", "0", "'0'"), ("--pitch", "40", "57 to 95.1"), ("--edge-radius", "1", "1")]
+    {
+        let done = teeter(&["scene", "cards", flag, value]);
+        assert!(done.error_line().contains(found), "{}", done.err);
+    }
+}
+
+#[test]
+fn edges_of_towers_can_be_round() {
+    for kind in [&["tower"][..], &["config", "--config", "(010)"]] {
+        let scene = teeter(&[&["scene"], kind, &["--edge-radius", "0.3"]].concat()).json();
+        assert!((scene["edge_radius"].as_f64().unwrap() - 3e-4).abs() < 1e-18);
+    }
+    let done = teeter(&["scene", "tower", "--rows", "1", "--height-sd", "0", "--edge-radius", "7"]);
+    let expected = "`edge_radius` is 0.007 m, expected 0 to 0.006000 m, a third of the smallest edge of block 0";
+    assert_eq!(done.error_line(), expected);
 }

@@ -1,5 +1,7 @@
 //! `teeter scene`: prints scenes.
 
+mod cards;
+
 use clap::{Args, Parser, Subcommand};
 use serde::Serialize;
 use teeter_scene::{
@@ -9,6 +11,7 @@ use teeter_scene::{
 use crate::arguments::{Material, number};
 use crate::error::Error;
 use crate::{input, output};
+use cards::Cards;
 
 /// Arguments of `teeter scene`.
 #[derive(Debug, Args)]
@@ -25,6 +28,8 @@ enum Kind {
     Tower(Tower),
     /// Print the tower of a configuration such as (010)-(010)-(011) as JSON.
     Config(Config),
+    /// Print a house of cards as JSON.
+    Cards(Cards),
     /// List the scenes that have names; `teeter scene NAME` prints one.
     List(List),
     /// Words of a [`Named`] scene.
@@ -104,6 +109,10 @@ struct Common {
     /// Coefficient of restitution.
     #[arg(long, default_value_t = WOOD_RESTITUTION, value_parser = number(0.0, 1.0))]
     restitution: f64,
+    /// Radius of the edges of the blocks, mm, at most a third of their smallest edge [default: that
+    /// of wooden blocks].
+    #[arg(long, value_parser = number(0.0, 10.0), value_name = "MM")]
+    edge_radius: Option<f64>,
     #[command(flatten)]
     material: Material,
 }
@@ -115,6 +124,7 @@ impl Scenes {
             Kind::List(list) => return list.print(),
             Kind::Tower(tower) => tower.scene()?,
             Kind::Config(config) => config.scene()?,
+            Kind::Cards(cards) => cards.scene()?,
             Kind::Named(words) => {
                 let named = Named::try_parse_from(words)?;
                 named.material.apply(input::named_scene(&named.name)?)
@@ -126,13 +136,15 @@ impl Scenes {
 
 impl Common {
     fn options(&self) -> TowerOptions {
+        let default = TowerOptions::default();
         TowerOptions {
             seed: self.seed,
             block: self.block,
             friction: self.friction,
             kinetic_friction: self.kinetic_friction,
             restitution: self.restitution,
-            ..TowerOptions::default()
+            edge_radius: self.edge_radius.map_or(default.edge_radius, |mm| 1e-3 * mm),
+            ..default
         }
     }
 }
