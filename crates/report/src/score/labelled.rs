@@ -1,10 +1,9 @@
-//! Towers with known answers: a JSON scene a line, compressed by gzip or not.
+//! Towers with known answers: a JSON scene a line, in UTF-8 or UTF-16, compressed by gzip or not.
 
 use std::io::{self, BufRead, BufReader, Read};
 
-use flate2::bufread::MultiGzDecoder;
 use serde::Deserialize;
-use teeter_scene::{MAX_BYTES, Scene, SceneError};
+use teeter_scene::{MAX_BYTES, Scene, SceneError, utf8};
 
 /// Maximum size of all lines together, unpacked, bytes: a small compressed file can hold any number
 /// of them.
@@ -80,7 +79,7 @@ pub enum LineError {
     #[error(transparent)]
     Scene(#[from] SceneError),
     /// Invalid answer.
-    #[error("`truth`: {0}")]
+    #[error("`truth` is not an object with `tilt_deg`, a number, and `side_sensitive`, true or false")]
     Truth(#[from] serde_json::Error),
 }
 
@@ -90,11 +89,8 @@ pub enum LineError {
 /// When the input cannot be read or is too large, and when one of its lines is not a scene.
 pub fn read(reader: impl Read + 'static, name: &str) -> Result<Vec<Labelled>, LabelledError> {
     let name = || name.to_owned();
-    let mut packed = BufReader::new(reader);
-    let start = packed.fill_buf().map_err(|source| LabelledError::Read { name: name(), source })?;
-    let is_gzip = start.starts_with(&[0x1f, 0x8b]);
-    let plain: Box<dyn Read> = if is_gzip { Box::new(MultiGzDecoder::new(packed)) } else { Box::new(packed) };
-    let mut lines = BufReader::new(plain.take(MAX_UNPACKED + 1));
+    let text = utf8(reader).map_err(|source| LabelledError::Read { name: name(), source })?;
+    let mut lines = BufReader::new(text.take(MAX_UNPACKED + 1));
     let (mut scenes, mut total) = (Vec::new(), 0);
     for line in 1.. {
         let at = |source| LabelledError::Line { name: name(), line, source };
@@ -105,10 +101,20 @@ pub fn read(reader: impl Read + 'static, name: &str) -> Result<Vec<Labelled>, La
         }
         let text = std::str::from_utf8(&bytes).map_err(|e| at(SceneError::NotUtf8(e.valid_up_to()).into()))?;
         if !text.trim().is_empty() {
-            scenes.push(parse(text).map_err(at)?);
+            scenes.push(parse(text).map_err(|error| at(in_line(error, line)))?);
         }
     }
     if scenes.is_empty() { Err(LabelledError::Empty { name: name() }) } else { Ok(scenes) }
+}
+
+/// Returns the error of a scene, which is a line for itself, with the line of the input.
+fn in_line(error: LineError, line: usize) -> LineError {
+    match error {
+        LineError::Scene(SceneError::Json { location, message, column, .. }) => {
+            SceneError::Json { location, message, line, column }.into()
+        }
+        error => error,
+    }
 }
 
 /// Bytes of the next line with its end; none at the end of the input.
