@@ -2,7 +2,7 @@
 
 use std::fmt;
 
-use teeter_scene::overlap;
+use teeter_scene::{Scene, overlap};
 
 use crate::restitution::restitution_range;
 use crate::world::World;
@@ -68,19 +68,25 @@ impl World {
     /// Returns the warnings about the scene that the world was built from; empty where the world is
     /// just that scene.
     pub fn warnings(&self) -> Vec<Warning> {
-        let scene = self.scene();
+        Warning::all_of(self.scene())
+    }
+}
+
+impl Warning {
+    /// Returns the warnings about a scene, without building a world.
+    pub fn all_of(scene: &Scene) -> Vec<Self> {
         let mut warnings = Vec::new();
         let (min, max) = restitution_range();
         let used = scene.restitution.clamp(min, max);
         if used != scene.restitution {
-            warnings.push(Warning::Restitution { value: scene.restitution, used });
+            warnings.push(Self::Restitution { value: scene.restitution, used });
         }
         let weight: f64 =
             scene.blocks.iter().filter(|block| !block.fixed).map(|block| block.mass * scene.gravity).sum();
         let overlaps = overlap::pairs(scene, f64::max(ROUNDING, weight / scene.stiffness));
         if !overlaps.is_empty() {
             let depth = overlaps.iter().map(|overlap| overlap.depth).fold(0.0, f64::max);
-            warnings.push(Warning::Overlap { pairs: overlaps.len(), depth });
+            warnings.push(Self::Overlap { pairs: overlaps.len(), depth });
         }
         warnings
     }

@@ -7,7 +7,7 @@ use clap::Args;
 use indicatif::ParallelProgressIterator;
 use rayon::prelude::*;
 use serde::Serialize;
-use teeter_physics::{Warning, World};
+use teeter_physics::Warning;
 use teeter_report::progress;
 use teeter_report::score::{self, Labelled, MAX_UNPACKED, Summary};
 use teeter_study::{Prediction, predict};
@@ -20,6 +20,7 @@ use crate::{input, output};
 
 /// Arguments of `teeter score`.
 #[derive(Debug, Args)]
+#[command(allow_negative_numbers = true)]
 pub struct Score {
     /// Scenes, one JSON object a line, compressed by gzip or not; `-` for standard input.
     scenes: PathBuf,
@@ -76,11 +77,11 @@ impl Score {
             .progress_with(bar.clone())
             .map(|labelled| {
                 let scene = &labelled.scene;
-                let warnings = World::new(scene, params).map(|world| world.warnings());
-                let both = warnings.and_then(|warnings| Ok((predict(scene, params)?, warnings)));
-                both.map_err(|source| Error::Build { name: scene.name.clone(), source })
+                let prediction = predict(scene, params);
+                let prediction = prediction.map_err(|source| Error::Build { name: scene.name.clone(), source })?;
+                Ok((prediction, Warning::all_of(scene)))
             })
-            .collect::<Result<_, _>>()?;
+            .collect::<Result<_, Error>>()?;
         bar.finish_and_clear();
         Ok(predictions)
     }
