@@ -38,7 +38,7 @@ pub use force_map::{BlockForces, force_map, force_map_from};
 pub use hand_path::HandPath;
 pub use limit_analysis::{Breakaway, LimitError, Patch, RigidTower};
 pub use long_rest::{LongRest, long_rest};
-pub use max_height::max_height;
+pub use max_height::{max_height, scene_height};
 pub use mechanism::{Mechanism, Spread, mechanism};
 pub use par_map::par_map;
 pub use plan::long_axis;

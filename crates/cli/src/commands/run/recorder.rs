@@ -2,7 +2,7 @@
 
 use teeter_physics::{StepReport, World};
 use teeter_scene::Scene;
-use teeter_study::{ReferencePositions, max_height};
+use teeter_study::{ReferencePositions, max_height, scene_height};
 
 use super::report::Report;
 use crate::warnings::Warnings;
@@ -12,8 +12,7 @@ const CREEP_FROM: f64 = 2.0;
 
 /// Measurements while a world runs.
 pub struct Recorder {
-    /// Height of the top before the first frame, m. A scene begins without load, so this is the sum
-    /// of the tallest blocks.
+    /// Height of the top without load, m: the sum of the tallest blocks of a tower.
     top: f64,
     start: ReferencePositions,
     /// Positions from which creep counts.
@@ -27,10 +26,10 @@ pub struct Recorder {
 }
 
 impl Recorder {
-    /// Starts the measurements of a world.
-    pub fn new(world: &World) -> Self {
+    /// Starts the measurements of a world, which was built from `scene`.
+    pub fn new(scene: &Scene, world: &World) -> Self {
         Self {
-            top: max_height(world),
+            top: scene_height(scene),
             start: ReferencePositions::of(world),
             settled: None,
             fallen: vec![false; world.len()],

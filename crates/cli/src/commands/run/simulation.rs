@@ -28,7 +28,7 @@ pub struct Simulation<'a> {
 impl<'a> Simulation<'a> {
     /// Prepares a simulation of `world`, which was built from `scene`.
     pub fn new(scene: &'a Scene, world: World, timeline: Timeline, trace: Option<Trace>, warnings: Warnings) -> Self {
-        let recorder = Recorder::new(&world);
+        let recorder = Recorder::new(scene, &world);
         Self { scene, world, timeline, trace, warnings, recorder, cpu_s: 0.0 }
     }
 
