@@ -174,6 +174,8 @@ fn commands_that_are_none() {
         (&["run", "tower", "--seconds", "0"], "'0'"),
         (&["run", "tower", "--stiffness", "1e3"], "1e3"),
         (&["run", "tower", "--precision", "half"], "half"),
+        (&["run", "tower", "--seconds", "-1"], "'-1' for '--seconds <SECONDS>': expected a number from 0.02 to 86400"),
+        (&["scene", "tower", "--edge-radius", "-1"], "'-1' for '--edge-radius <MM>': expected a number from 0 to 10"),
         (&["scene", "tower", "--rows", "0"], "'0'"),
         (&["scene", "tower", "--rows", "201"], "201"),
         (&["scene", "tower", "--block", "lego"], "lego"),

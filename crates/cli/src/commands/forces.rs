@@ -15,6 +15,7 @@ use crate::{input, output};
 
 /// Arguments of `teeter forces`.
 #[derive(Debug, Args)]
+#[command(allow_negative_numbers = true)]
 pub struct Forces {
     /// File of a scene, `-` for standard input, or the name of a scene of the list.
     scene: PathBuf,

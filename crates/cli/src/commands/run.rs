@@ -22,6 +22,7 @@ use simulation::Simulation;
 
 /// Arguments of `teeter run`.
 #[derive(Debug, Args)]
+#[command(allow_negative_numbers = true)]
 pub struct Run {
     /// File of a scene, `-` for standard input, or the name of a scene of the list.
     scene: PathBuf,
@@ -30,7 +31,8 @@ pub struct Run {
     seconds: f64,
     #[command(flatten)]
     engine: EngineArguments,
-    /// Time over which gravity grows to its full value at the start, s.
+    /// Time over which gravity grows to its full value at the start, s; at 0, what touches carries
+    /// its weight from the first instant.
     #[arg(long, default_value_t = Params::default().ramp, value_parser = number(0.0, 60.0), value_name = "SECONDS")]
     ramp: f64,
     /// Push overlapping blocks apart before the run, and say by how much.

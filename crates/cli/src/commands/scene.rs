@@ -39,7 +39,7 @@ enum Kind {
 
 /// Arguments after `teeter scene` that begin with no subcommand.
 #[derive(Debug, Parser)]
-#[command(name = "teeter scene", no_binary_name = true)]
+#[command(name = "teeter scene", no_binary_name = true, allow_negative_numbers = true)]
 struct Named {
     /// Name of a scene of the list.
     name: String,
@@ -55,6 +55,7 @@ struct List {
 }
 
 #[derive(Debug, Args)]
+#[command(allow_negative_numbers = true)]
 struct Tower {
     /// Rows of three.
     #[arg(long, default_value_t = 18, value_parser = clap::value_parser!(u32).range(1..=i64::from(MAX_ROWS)))]
@@ -73,6 +74,7 @@ struct Tower {
 }
 
 #[derive(Debug, Args)]
+#[command(allow_negative_numbers = true)]
 struct Config {
     /// Rows from the bottom: 1 is a block, 0 is none, L is a loose block (0.2 mm lower).
     #[arg(long, required_unless_present = "loose", conflicts_with = "loose", value_name = "ROWS")]

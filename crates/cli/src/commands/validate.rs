@@ -13,6 +13,7 @@ use crate::{input, output};
 
 /// Arguments of `teeter validate`.
 #[derive(Debug, Args)]
+#[command(allow_negative_numbers = true)]
 pub struct Validate {
     /// Folder for `validation.html` and `validation.json`; created where it is missing.
     #[arg(long, value_name = "DIR")]

@@ -8,6 +8,7 @@ use crate::error::Error;
 
 /// Arguments of `teeter scene cards`.
 #[derive(Debug, Args)]
+#[command(allow_negative_numbers = true)]
 pub struct Cards {
     /// Storeys.
     #[arg(long, default_value_t = 4, value_parser = clap::value_parser!(u32).range(1..=i64::from(MAX_STOREYS)))]
