@@ -6,6 +6,7 @@
 
 use glam::{DMat3, DQuat, DVec3};
 use teeter_physics::{BodyId, POSE_STRIDE};
+use teeter_study::Cuboid;
 
 use crate::simulator::Simulator;
 
@@ -144,9 +145,13 @@ impl Blocks {
         0.5 * (self.axes(body).transpose() * direction).abs().dot(self.size(body))
     }
 
-    /// Half of the extent that a block would have unstrained, m.
-    pub fn half_extent_unstrained(&self, body: BodyId, direction: DVec3) -> f64 {
-        0.5 * (self.orientation(body).conjugate() * direction).abs().dot(self.size(body))
+    /// All blocks as strained.
+    pub fn cuboids(&self) -> Vec<Cuboid> {
+        let cuboid = |body| Cuboid {
+            center: self.position(body),
+            half_edges: self.axes(body) * DMat3::from_diagonal(0.5 * self.size(body)),
+        };
+        self.bodies().map(cuboid).collect()
     }
 }
 
@@ -232,6 +237,5 @@ mod tests {
         assert!((edges.z - 0.65f64.sqrt() * SIZE.z).abs() < 5e-7);
         let up = orientation * DVec3::Z;
         assert!((blocks.half_extent(body, up) - 0.4 * SIZE.z).abs() < 5e-7);
-        assert!((blocks.half_extent_unstrained(body, up) - 0.5 * SIZE.z).abs() < 5e-7);
     }
 }

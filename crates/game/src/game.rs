@@ -9,7 +9,6 @@ use crate::hand::controller::{Ending, HandController, Touch};
 use crate::hand::grip::HoldGrip;
 use crate::hand::hold::Task;
 use crate::rest::{Motion, RestDetector};
-use crate::settlement::settlement;
 use crate::simulator::Simulator;
 use crate::stiffness_ramp::{BlockForm, StiffnessRamp};
 use crate::tower_map::Slot;
@@ -44,7 +43,7 @@ impl<S: Simulator> Game<S> {
         Self {
             controller: HandController::new(simulator.hand_can_turn()),
             ramp: StiffnessRamp::new(simulator.block_form(), simulator.contact_stiffness()),
-            fall: FallDetector::new(blocks.positions()),
+            fall: FallDetector::new(&blocks),
             rest: RestDetector::default(),
             blocks,
             simulator,
@@ -166,9 +165,8 @@ impl<S: Simulator> Game<S> {
     }
 
     fn observe_tower(&mut self, max_speed: f64, held: Option<BodyId>, events: &mut Vec<Event>) {
-        let settled = settlement(&self.blocks, self.fall.heights());
         let frame = FrameEnd { time: self.simulator.time(), max_speed, held };
-        let bodies = self.fall.observe(self.blocks.positions(), settled.as_deref(), frame);
+        let bodies = self.fall.observe(&self.blocks, frame);
         if !bodies.is_empty() {
             events.push(Event::Fell { bodies });
         }

@@ -12,7 +12,7 @@ use crate::simulator::Simulator;
 use crate::stiffness_ramp::{BlockForm, StiffnessRamp};
 
 /// First bytes of a snapshot: its kind, and the version of its layout.
-const MAGIC: &[u8] = b"teeter-game\x00\x01";
+const MAGIC: &[u8] = b"teeter-game\x00\x02";
 
 /// Reason why bytes are no snapshot of a game.
 ///

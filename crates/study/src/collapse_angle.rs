@@ -14,8 +14,7 @@ use glam::DVec3;
 use teeter_physics::{BuildError, Input, Params, World};
 use teeter_scene::Scene;
 
-use crate::fall::FELL_MOVED;
-use crate::reference_positions::ReferencePositions;
+use crate::fall::Footing;
 
 /// Time to settle upright, s.
 const SETTLE_TIME: f64 = 1.0;
@@ -93,32 +92,30 @@ struct TiltedTower {
     azimuth: f64,
     /// Tilt, degrees.
     angle: f64,
-    /// Positions at the beginning of the tilt.
-    start: ReferencePositions,
+    /// Footing at the beginning of the tilt.
+    footing: Footing,
 }
 
 impl TiltedTower {
     fn new(scene: &Scene, azimuth: f64, params: Params) -> Result<Self, BuildError> {
         let world = World::new(scene, params)?;
-        let start = ReferencePositions::of(&world);
-        Ok(Self { world, gravity: scene.gravity, azimuth, angle: 0.0, start })
+        let footing = Footing::of(&world);
+        Ok(Self { world, gravity: scene.gravity, azimuth, angle: 0.0, footing })
     }
 
-    /// Advances by a frame; returns true if the tower has collapsed: a block has moved by more than
-    /// [`FELL_MOVED`]. A drop is no sign, for gravity is not vertical.
+    /// Advances by a frame; returns true if the tower has collapsed: a block has fallen or slid.
     fn step(&mut self) -> bool {
         let (sin, cos) = libm::sincos(self.angle.to_radians());
         let (sin_az, cos_az) = libm::sincos(self.azimuth);
         let gravity = self.gravity * DVec3::new(sin * cos_az, sin * sin_az, -cos);
         let report = self.world.step(&Input::gravity(gravity));
-        // a comparison with NaN is false
-        !(report.quarantined.is_empty() && self.start.max_displacement(&self.world) <= FELL_MOVED)
+        !report.quarantined.is_empty() || self.footing.any_fallen_or_slid(&self.world)
     }
 
     /// Lets the tower settle upright; returns true if it falls.
     fn falls_upright(&mut self) -> bool {
         let falls = (0..self.world.frames(SETTLE_TIME)).any(|_| self.step());
-        self.start = ReferencePositions::of(&self.world);
+        self.footing = Footing::of(&self.world);
         falls
     }
 

@@ -4,6 +4,7 @@ use glam::DVec3;
 use serde::Serialize;
 use teeter_physics::{BodyId, Hand, Input, Pose, World};
 
+use crate::fall::Footing;
 use crate::hand_path::HandPath;
 use crate::reference_positions::ReferencePositions;
 use crate::rest::RestTimer;
@@ -66,12 +67,13 @@ pub fn drop_block(mut world: World, body: BodyId, height: f64) -> DroppedBlock {
     let center = world.pose(body).position;
     let top = lower(&mut world, body, height);
     let (start, positions) = (world.time(), ReferencePositions::of(&world));
+    let footing = Footing::of(&world);
     let (mut others, mut fell): (f64, bool) = (0.0, false);
     let (mut timer, mut rest_s) = (RestTimer::default(), None);
     for _ in 0..world.frames(MAX_TIME) {
         let report = world.step(&Input::default());
         others = others.max(positions.max_displacement_except(&world, body));
-        fell |= positions.any_fallen_except(&world, body);
+        fell |= footing.any_fallen_except(&world, body);
         if timer.advance(world.params().frame, report.max_speed) {
             rest_s = Some(report.time - start - timer.elapsed());
             break;

@@ -4,6 +4,7 @@ use glam::DVec3;
 use serde::Serialize;
 use teeter_physics::{BodyId, Grip, Hand, Input, Pose, World};
 
+use crate::fall::Footing;
 use crate::hand_path::HandPath;
 use crate::reference_positions::ReferencePositions;
 
@@ -70,11 +71,11 @@ pub fn extract(settled: &World, body: BodyId, axis: DVec3, speed: f64) -> Extrac
     let anchor = end * (0.5 * size.dot(end.abs()));
     let from = center + orientation * anchor;
     let length = size.dot(end.abs()) + EXTRA_TRAVEL;
-    let positions = ReferencePositions::of(&world);
+    let (positions, footing) = (ReferencePositions::of(&world), Footing::of(&world));
     let mut outcome = Extraction { out: false, others_mm: 0.0, fell: false, force_n: 0.0 };
     let mut observe = |world: &World| {
         outcome.others_mm = f64::max(outcome.others_mm, 1e3 * positions.max_displacement_except(world, body));
-        outcome.fell |= positions.any_fallen_except(world, body);
+        outcome.fell |= footing.any_fallen_except(world, body);
     };
     let frame = world.params().frame;
     let start = Hand::slide(body, anchor, from, orientation);

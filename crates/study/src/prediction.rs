@@ -5,7 +5,7 @@ use teeter_physics::{BuildError, Input, Params, World};
 use teeter_scene::Scene;
 
 use crate::collapse_angle::collapse_angle;
-use crate::reference_positions::ReferencePositions;
+use crate::fall::Footing;
 
 /// Simulated time of an upright tower, s.
 const DURATION: f64 = 5.0;
@@ -33,7 +33,7 @@ pub enum Prediction {
     Config {
         /// Name of the scene.
         name: String,
-        /// True when any block fell within 5 s, see [`crate::has_fallen`].
+        /// True when any block fell within 5 s, see [`Footing`].
         fell: bool,
     },
     /// Prediction for a tilted tower.
@@ -70,11 +70,11 @@ pub fn predict(scene: &Scene, params: Params) -> Result<Prediction, BuildError> 
 /// Returns true if a block of the upright tower falls.
 fn falls(scene: &Scene, params: Params) -> Result<bool, BuildError> {
     let mut world = World::new(scene, params)?;
-    let start = ReferencePositions::of(&world);
+    let footing = Footing::of(&world);
     let input = Input::default();
     while world.time() < DURATION - params.frame / 2.0 {
         let report = world.step(&input);
-        if !report.quarantined.is_empty() || start.any_fallen(&world) {
+        if !report.quarantined.is_empty() || footing.any_fallen(&world) {
             return Ok(true);
         }
     }

@@ -7,6 +7,7 @@ use serde::Serialize;
 use teeter_physics::{BuildError, Input, Params, World};
 use teeter_scene::Scene;
 
+use crate::fall::Footing;
 use crate::limit_analysis::{LimitError, RigidTower};
 use crate::reference_positions::ReferencePositions;
 use crate::settle::SETTLE_TIME;
@@ -30,8 +31,7 @@ const DURATION: f64 = 5.0;
 pub struct Removal {
     /// Id of the block.
     pub id: u32,
-    /// True when the tower fell: a block dropped at any time, or fell from where it was once the
-    /// tower had settled. A standing tower may lean by more than a fall while it settles.
+    /// True when a block of the tower fell, see [`Footing`].
     pub fell: bool,
     /// Largest displacement of any block from where it was built, at the end, mm.
     pub lean_mm: f64,
@@ -98,15 +98,14 @@ pub fn remove(scene: &Scene, block: usize, params: Params) -> Result<Removal, Bu
     let mut world = World::new(&rest, params)?;
     let settling = world.frames(SETTLE_TIME);
     let start = ReferencePositions::of(&world);
-    let (mut fell, mut settled) = (false, start.clone());
+    let (footing, mut fell, mut settled) = (Footing::of(&world), false, start.clone());
     for i in 1..=world.frames(DURATION) {
-        fell |= !world.step(&Input::default()).quarantined.is_empty() || start.any_dropped(&world);
-        if i == settling {
-            settled = ReferencePositions::of(&world);
-        }
-        fell |= i > settling && settled.any_fallen(&world);
+        fell = !world.step(&Input::default()).quarantined.is_empty() || footing.any_fallen(&world);
         if fell {
             break;
+        }
+        if i == settling {
+            settled = ReferencePositions::of(&world);
         }
     }
     let creep_mm = if fell { 0.0 } else { 1e3 * settled.max_displacement(&world) };

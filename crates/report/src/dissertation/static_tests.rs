@@ -1,11 +1,10 @@
 //! Six static tests (section 6.1.1), before and after.
 
-use glam::DVec3;
 use indicatif::ProgressBar;
 use maud::{Markup, html};
 use rayon::prelude::*;
 use teeter_scene::named;
-use teeter_study::has_fallen;
+use teeter_study::{Cuboid, Footing};
 
 use super::column::{COLUMNS, Column, headings};
 use super::length::mm;
@@ -47,15 +46,19 @@ pub struct Outcome {
 pub fn outcome(column: &Column, name: &str, mut observe: impl FnMut(&Tower)) -> Result<Outcome, Error> {
     let scene = named(name).ok_or_else(|| Error::UnknownScene(name.to_owned()))?;
     let mut tower = (column.build)(&scene)?;
-    let start = tower.centres();
+    let start = cuboids(&tower);
     observe(&tower);
     tower.rest((SECONDS * FRAME_RATE) as u32);
     observe(&tower);
-    let max = |of: fn(DVec3) -> f64| {
-        tower.centres().iter().zip(&start).map(|(now, start)| of(*now - *start)).fold(0.0, f64::max)
-    };
-    let (displacement, drop) = (max(DVec3::length), max(|displacement| -displacement.z));
-    Ok(Outcome { stands: !has_fallen(displacement, drop), displacement })
+    let now = cuboids(&tower);
+    let moved = now.iter().zip(&start).map(|(now, start)| now.center.distance(start.center));
+    let mut fallen = vec![false; start.len()];
+    Footing::new(&start).mark_fallen(&now, |_| false, &mut fallen);
+    Ok(Outcome { stands: !fallen.contains(&true), displacement: moved.fold(0.0, f64::max) })
+}
+
+fn cuboids(tower: &Tower) -> Vec<Cuboid> {
+    (0..tower.len()).map(|block| Cuboid::from_points(&tower.corners(block), 1.0)).collect()
 }
 
 /// Outcome of a test in a column, with its two pictures.

@@ -2,7 +2,7 @@
 
 use teeter_physics::{StepReport, World};
 use teeter_scene::Scene;
-use teeter_study::{ReferencePositions, max_height, scene_height};
+use teeter_study::{Cuboid, Footing, ReferencePositions, max_height, scene_height};
 
 use super::report::Report;
 use crate::warnings::Warnings;
@@ -15,6 +15,7 @@ pub struct Recorder {
     /// Height of the top without load, m: the sum of the tallest blocks of a tower.
     top: f64,
     start: ReferencePositions,
+    footing: Footing,
     /// Positions from which creep counts.
     settled: Option<ReferencePositions>,
     fallen: Vec<bool>,
@@ -31,6 +32,7 @@ impl Recorder {
         Self {
             top: scene_height(scene),
             start: ReferencePositions::of(world),
+            footing: Footing::of(world),
             settled: None,
             fallen: vec![false; world.len()],
             displacement: 0.0,
@@ -46,7 +48,7 @@ impl Recorder {
         for body in &step.quarantined {
             self.fallen[body.index()] = true;
         }
-        self.start.mark_fallen(world, &mut self.fallen);
+        self.footing.mark_fallen(&Cuboid::all(world), |_| false, &mut self.fallen);
         self.displacement = self.displacement.max(self.start.max_displacement(world));
         self.penetration = self.penetration.max(step.penetration);
         self.rms_speed = step.rms_speed;

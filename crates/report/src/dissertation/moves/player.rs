@@ -50,8 +50,8 @@ pub struct Outcome {
     /// True while all blocks have stayed in their rows since the first move.
     ///
     /// A block leaves its row when its centre comes down below the lower face of the row. The
-    /// limits of `teeter_study` are too narrow here: the method of the dissertation sinks by more
-    /// than 3 mm under load, and quick moves drag blocks by more than 5 mm without a fall.
+    /// footing of `teeter_study` is too narrow here: blocks of the dissertation's method sink into
+    /// each other under load.
     pub stands: bool,
 }
 
