@@ -2,8 +2,9 @@
 
 use glam::DVec3;
 use serde::Serialize;
-use teeter_physics::{BodyId, Grip, Hand, Input, Pose, World};
+use teeter_physics::{BodyId, Grip, Hand, Input, World};
 
+use crate::end_grip::EndGrip;
 use crate::fall::Footing;
 use crate::hand_path::HandPath;
 use crate::reference_positions::ReferencePositions;
@@ -45,8 +46,7 @@ pub struct Extraction {
 /// Takes `body` out of a settled world along `axis` (unit vector) at `speed` (m/s).
 ///
 /// The hand holds the middle of the block's end face, keeps the orientation and has the default
-/// force of a careful hand. It pulls along the block's own axis, which leans with the tower: a
-/// level pull would lift the block against its load.
+/// force of a careful hand. It pulls along the block's own axis, which leans with the tower.
 ///
 /// # Panics
 /// When the world has no such body.
@@ -64,13 +64,9 @@ pub struct Extraction {
 /// ```
 pub fn extract(settled: &World, body: BodyId, axis: DVec3, speed: f64) -> Extraction {
     let mut world = settled.clone();
-    let Pose { position: center, orientation } = settled.pose(body);
-    let size = settled.size(body);
-    let end = end_normal(orientation.inverse() * axis);
-    let axis = orientation * end;
-    let anchor = end * (0.5 * size.dot(end.abs()));
-    let from = center + orientation * anchor;
-    let length = size.dot(end.abs()) + EXTRA_TRAVEL;
+    let grip = EndGrip::new(settled, body, axis);
+    let (axis, center) = (grip.axis, settled.pose(body).position);
+    let length = grip.length + EXTRA_TRAVEL;
     let (positions, footing) = (ReferencePositions::of(&world), Footing::of(&world));
     let mut outcome = Extraction { out: false, others_mm: 0.0, fell: false, force_n: 0.0 };
     let mut observe = |world: &World| {
@@ -78,26 +74,18 @@ pub fn extract(settled: &World, body: BodyId, axis: DVec3, speed: f64) -> Extrac
         outcome.fell |= footing.any_fallen_except(world, body);
     };
     let frame = world.params().frame;
-    let start = Hand::slide(body, anchor, from, orientation);
     let mut force = 0.0;
-    for hand in HandPath::new(start.clone(), frame).line_along(axis, length, speed) {
+    for hand in HandPath::new(grip.hand(), frame).line_along(axis, length, speed) {
         let report = world.step(&Input::hand(hand));
         force = report.hand.map_or(force, |h| h.force.length().max(force));
         observe(&world);
     }
     let travel = axis.dot(world.pose(body).position - center);
     // a released block would fall on the table and might hit the tower
-    let end = Hand { grip: Grip::Carry, target: from + axis * length, ..start };
+    let end = Hand { grip: Grip::Carry, target: grip.point + axis * length, ..grip.hand() };
     for hand in HandPath::new(end, frame).pause(HOLD) {
         world.step(&Input::hand(hand));
         observe(&world);
     }
     Extraction { out: travel > length - MAX_LAG, force_n: force, ..outcome }
-}
-
-/// Normal of the face nearest to a direction of the block's frame.
-fn end_normal(direction: DVec3) -> DVec3 {
-    DVec3::from(std::array::from_fn::<f64, 3, _>(|k| {
-        if direction[k].abs() == direction.abs().max_element() { direction[k].signum() } else { 0.0 }
-    }))
 }

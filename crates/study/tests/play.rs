@@ -2,8 +2,10 @@
 
 use glam::DVec3;
 use teeter_physics::{BodyId, Params, World};
-use teeter_scene::{Block, TowerOptions, config, loose, named};
-use teeter_study::{collapse, drop_block, extract, long_rest, removable_blocks, remove, settled};
+use teeter_scene::{Block, TowerOptions, config, loose, named, tower};
+use teeter_study::{
+    PutBackOptions, collapse, drop_block, extract, long_rest, put_back, removable_blocks, remove, settled, xray,
+};
 
 fn params() -> Params {
     Params { sleep: false, ..Params::default() }
@@ -61,4 +63,28 @@ fn a_tower_at_rest_does_not_creep() {
     let scene = named("test-6").unwrap();
     let record = long_rest(settled(&scene, params()).unwrap(), 20.0, scene.gravity, || ());
     assert!(record.creep_m < 1e-8 && record.kinetic_j < 1e-12 && record.potential_j < 1e-9, "{record:?}");
+}
+
+#[test]
+fn a_loose_block_that_is_put_back_leaves_the_others_where_they_were() {
+    let scene = tower(&TowerOptions { rows: 9, ..TowerOptions::default() }).unwrap();
+    let world = settled(&scene, params()).unwrap();
+    let loads = xray(&world, scene.friction);
+    let body = world.bodies().find(|body| loads[body.index()].is_loose()).expect("a tower has loose blocks");
+    for distance in [0.01, 0.02] {
+        let back = put_back(&world, body, distance, &PutBackOptions::default());
+        assert!(back.out && (back.moved_1_mm, back.moved_5_mm, back.fell) == (0, 0, 0), "{back:?}");
+        assert!(back.worst_mm < 0.2 && back.aside_mm < 1.0, "{back:?}");
+        // friction of its own weight, of which the hand carries a half meanwhile
+        let weight = scene.blocks[body.index()].mass * scene.gravity;
+        assert!(back.force_n > 0.4 * scene.friction * weight && back.force_n < 4.0, "{back:?}");
+    }
+}
+
+#[test]
+fn a_tight_block_does_not_come_out_to_be_put_back() {
+    let mut scene = config("(111)-(010)-(111)", &TowerOptions::exact()).unwrap();
+    scene.blocks[5].mass = 5.0;
+    let back = put_back(&settled(&scene, params()).unwrap(), BodyId(3), 0.02, &PutBackOptions::default());
+    assert!(!back.out && back.force_n > 1.0, "{back:?}");
 }

@@ -7,6 +7,7 @@ mod forces;
 mod labelled;
 mod loose;
 mod placing;
+mod put_back;
 mod range;
 mod removal;
 mod rest;
@@ -38,6 +39,8 @@ pub enum Topic {
     Removal,
     /// Loose blocks taken out by the hand.
     Extraction,
+    /// Loose blocks drawn out and pushed in again.
+    PutBack,
     /// Blocks placed and dropped on top.
     Placing,
     /// Blocks torn out of a tower.
@@ -48,7 +51,7 @@ pub enum Topic {
 
 impl Topic {
     /// All topics, in the order of the report.
-    pub const ALL: [Topic; 12] = [
+    pub const ALL: [Topic; 13] = [
         Topic::Closed,
         Topic::Labelled,
         Topic::Tilt,
@@ -57,6 +60,7 @@ impl Topic {
         Topic::Loose,
         Topic::Removal,
         Topic::Extraction,
+        Topic::PutBack,
         Topic::Placing,
         Topic::Collapses,
         Topic::Range,
@@ -84,6 +88,7 @@ impl Topic {
             Topic::Rest => ("rest", "Long rest"),
             Topic::Removal => ("removal", "Every legal single removal"),
             Topic::Extraction => ("extraction", "Loose blocks taken out by the hand"),
+            Topic::PutBack => ("put-back", "Loose blocks drawn out and pushed in again"),
             Topic::Placing => ("placing", "Blocks placed and dropped on top"),
             Topic::Collapses => ("yanks", "Blocks torn out, and the heaps that are left"),
             Topic::Range => ("range", "Both block presets over the range of friction and stiffness"),
@@ -105,6 +110,7 @@ impl Topic {
             Topic::Rest => rest::measure(size),
             Topic::Removal => removal::measure(size),
             Topic::Extraction => extraction::measure(size),
+            Topic::PutBack => put_back::measure(size),
             Topic::Placing => placing::measure(size),
             Topic::Collapses => collapses::measure(size),
             Topic::Range => range::measure(size),

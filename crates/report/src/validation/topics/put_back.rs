@@ -1,0 +1,189 @@
+//! Loose blocks drawn some distance out by the hand, and pushed in again.
+
+use serde_json::{Value, json};
+use teeter_physics::{BodyId, World};
+use teeter_scene::{Form, Scene, TowerOptions};
+use teeter_study::{PutBack, PutBackOptions, par_map, put_back, settled, xray};
+
+use crate::chart::{Axis, Chart, Series};
+use crate::error::Error;
+use crate::output::progress;
+use crate::statistics::{max, percent, quantile};
+use crate::validation::section::Section;
+use crate::validation::size::{Size, params};
+
+/// Distances by which a block is drawn out, m.
+const DISTANCES: [f64; 4] = [0.01, 0.02, 0.04, 0.06];
+/// Maximum number of loose blocks of a tower.
+const MAX_BLOCKS: usize = 8;
+/// Towers of each setting but the first.
+const OTHER_TOWERS: u64 = 5;
+/// Towers of lattice blocks, which take six times as long.
+const LATTICE_TOWERS: u64 = 3;
+
+/// Towers of one kind.
+struct Setting {
+    name: &'static str,
+    /// Contact stiffness, N/m.
+    stiffness: f64,
+    /// Standard deviation of the heights, m.
+    height_sd: f64,
+    form: Form,
+    /// Radius of the edges, m; that of a default tower where absent.
+    edge_radius: Option<f64>,
+    towers: u64,
+}
+
+impl Setting {
+    /// Settings of a report: the default tower, and one change at a time.
+    fn all(size: &Size) -> Vec<Self> {
+        let few = size.towers.min(OTHER_TOWERS);
+        let default = |name, towers| Self {
+            name,
+            stiffness: 1e6,
+            height_sd: TowerOptions::default().height_sd,
+            form: size.form,
+            edge_radius: None,
+            towers,
+        };
+        let mut settings = vec![default("default", size.towers)];
+        if size.quick {
+            return settings;
+        }
+        settings.extend([
+            Self { stiffness: 3e6, ..default("3e6 N/m", few) },
+            Self { height_sd: 3e-5, ..default("scatter 0.03 mm", few) },
+            Self { height_sd: 3e-4, ..default("scatter 0.3 mm", few) },
+            Self { edge_radius: Some(0.0), ..default("sharp edges", few) },
+        ]);
+        if size.form == Form::Rigid {
+            settings.push(Self { form: Form::Lattice, ..default("lattice", few.min(LATTICE_TOWERS)) });
+        }
+        settings
+    }
+
+    /// Settled towers, each with some of its loose blocks.
+    fn worlds(&self, size: &Size) -> Result<Vec<(World, Vec<BodyId>)>, Error> {
+        let options = TowerOptions { height_sd: self.height_sd, ..size.tower_options() };
+        let scenes = size.towers(self.towers, self.stiffness, &options);
+        let worlds = par_map(&scenes, |scene| {
+            let edge_radius = self.edge_radius.unwrap_or(scene.edge_radius);
+            let scene = Scene { form: self.form, edge_radius, ..scene.clone() };
+            let world = settled(&scene, params())?;
+            let loose = loose_blocks(&world, if size.quick { 2 } else { MAX_BLOCKS });
+            Ok((world, loose))
+        });
+        worlds.into_iter().collect()
+    }
+}
+
+/// Loose blocks below the top row, at most `count`, evenly from all.
+fn loose_blocks(world: &World, count: usize) -> Vec<BodyId> {
+    let loads = xray(world, world.scene().friction);
+    let below_top = world.bodies().take(world.len().saturating_sub(3));
+    let loose: Vec<BodyId> = below_top.filter(|body| loads[body.index()].is_loose()).collect();
+    let count = count.min(loose.len());
+    (0..count).map(|i| loose[i * loose.len() / count]).collect()
+}
+
+/// Outcomes of a setting at one distance.
+struct Outcomes {
+    setting: &'static str,
+    /// Distance, m.
+    distance: f64,
+    backs: Vec<PutBack>,
+}
+
+impl Outcomes {
+    fn moved(&self, of: fn(&PutBack) -> usize) -> f64 {
+        percent(&self.backs, |back| of(back) > 0)
+    }
+
+    fn worst(&self) -> f64 {
+        max(&self.backs.iter().map(|back| back.worst_mm).collect::<Vec<_>>())
+    }
+
+    fn row(&self) -> Vec<String> {
+        let force: Vec<f64> = self.backs.iter().map(|back| back.force_n).collect();
+        let aside: Vec<f64> = self.backs.iter().map(|back| back.aside_mm).collect();
+        vec![
+            self.setting.to_owned(),
+            format!("{:.0}", 1e3 * self.distance),
+            self.backs.len().to_string(),
+            format!("{:.1} %", self.moved(|back| back.moved_1_mm)),
+            format!("{:.1} %", self.moved(|back| back.moved_5_mm)),
+            format!("{:.1} %", self.moved(|back| back.fell)),
+            format!("{:.3}", self.worst()),
+            format!("{:.3}", quantile(&force, 0.5)),
+            format!("{:.2}, {:.2}", quantile(&aside, 0.5), max(&aside)),
+        ]
+    }
+}
+
+/// Draws loose blocks out and pushes them in again.
+pub fn measure(size: &Size) -> Result<Section, Error> {
+    let mut section = Section::new(
+        "put-back",
+        "Loose blocks drawn out and put back",
+        "Loose blocks of settled towers (k = 1e6 N/m) are drawn out by the hand of the game along \
+         their length at 5 cm/s, and pushed back in to where they were. A second later the other \
+         blocks are compared with where they were. The hand holds the end of the block with at \
+         most 4 N. Each setting changes one constant of the default tower.",
+    );
+    let options = PutBackOptions::default();
+    let settings = Setting::all(size);
+    let worlds: Vec<_> = settings.iter().map(|setting| setting.worlds(size)).collect::<Result<_, _>>()?;
+    let pulls: usize = worlds.iter().flatten().map(|(_, loose)| loose.len() * DISTANCES.len()).sum();
+    let bar = progress(pulls as u64, "put-backs");
+    let mut all = Vec::new();
+    for (setting, worlds) in settings.iter().zip(&worlds) {
+        let cases: Vec<(&World, BodyId)> =
+            worlds.iter().flat_map(|(world, loose)| loose.iter().map(move |body| (world, *body))).collect();
+        for distance in DISTANCES {
+            let backs = par_map(&cases, |&(world, body)| {
+                let back = put_back(world, body, distance, &options);
+                bar.inc(1);
+                back
+            });
+            all.push(Outcomes { setting: setting.name, distance, backs });
+        }
+    }
+    bar.finish_and_clear();
+    figures(&mut section, &all[..DISTANCES.len()]);
+    let head = ["setting", "drawn mm", "pulls", "others > 1 mm", "> 5 mm", "fell", "worst mm"];
+    let head = [&head[..], &["force inwards N", "block aside mm: median, largest"]].concat();
+    section.table(&head, all.iter().map(Outcomes::row).collect());
+    section.charts.push(chart(&all));
+    section.data = all
+        .iter()
+        .map(|of| json!({"setting": of.setting, "distance_m": of.distance, "put_back": of.backs}))
+        .collect::<Value>();
+    Ok(section)
+}
+
+/// Figures with a goal, of the default tower.
+fn figures(section: &mut Section, outcomes: &[Outcomes]) {
+    for of in outcomes {
+        let (moved, displaced) = (of.moved(|back| back.moved_1_mm), of.moved(|back| back.moved_5_mm));
+        section.goal(
+            format!("drawn {:.0} mm and put back: another block moves by more than 1 mm, 5 mm", 1e3 * of.distance),
+            format!("{moved:.1} % and {displaced:.1} % of {}, {:.2} mm at most", of.backs.len(), of.worst()),
+            "1 %, none",
+            moved <= 1.0 && displaced == 0.0,
+        );
+    }
+}
+
+fn chart(all: &[Outcomes]) -> Chart {
+    let line = |outcomes: &[Outcomes]| {
+        let points = outcomes.iter().map(|of| (1e3 * of.distance, of.moved(|back| back.moved_1_mm)));
+        Series::line(outcomes[0].setting, points.collect())
+    };
+    Chart {
+        title: "Put-backs that move another block by more than 1 mm".into(),
+        x: Axis::new("drawn out, mm"),
+        y: Axis::new("%"),
+        series: all.chunks(DISTANCES.len()).map(line).collect(),
+        ..Chart::default()
+    }
+}
