@@ -6,7 +6,7 @@ use std::process::ExitCode;
 use clap::error::ErrorKind;
 use teeter_physics::BuildError;
 use teeter_report::score::LabelledError;
-use teeter_report::validation::DataSheetError;
+use teeter_report::validation::{DataSheetError, RealRowsError};
 use teeter_scene::{NAMED, SceneError, printable};
 
 use crate::json_fields::FieldError;
@@ -168,6 +168,9 @@ pub enum InputError {
     /// Data sheet that is not valid.
     #[error(transparent)]
     DataSheet(#[from] DataSheetError),
+    /// Tables of a real set that are not valid.
+    #[error(transparent)]
+    RealRows(#[from] RealRowsError),
 }
 
 impl Error {

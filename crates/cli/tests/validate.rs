@@ -68,3 +68,26 @@ fn the_sheet_of_the_documentation_can_be_read_and_asks_for_pulls() {
     let done = teeter(&["validate", "--quick", "--out", folder.path().to_str().unwrap(), "--real", sheet]);
     assert_eq!(done.error_line(), "the data sheet has no pulls to compare");
 }
+
+/// Two rows and the top of blocks whose heights leave no doubt.
+#[test]
+fn loose_rows_of_a_real_set_are_held_against_the_engine_and_against_heights() {
+    let folder = tempfile::tempdir().unwrap();
+    let [blocks, rows] = ["blocks.csv", "rows.csv"].map(|name| folder.path().join(name));
+    let heights = [15.0, 14.7, 15.0, 14.7, 15.0, 14.7, 15.0, 15.0, 15.0];
+    let lines = heights.iter().enumerate().map(|(id, height)| format!("{id},75,25,{height}\n"));
+    std::fs::write(&blocks, "id,length_mm,width_mm,height_mm\n".to_owned() + &lines.collect::<String>()).unwrap();
+    let table = |label: u32| format!("first,middle,last,label\n0,1,2,3\n3,4,5,{label}\n");
+    let run = || report(&["--real", blocks.to_str().unwrap(), "--rows", rows.to_str().unwrap()]).0;
+    std::fs::write(&rows, table(4)).unwrap();
+    let said = run();
+    for method in ["engine, rows from the bottom up", "engine, rows from the top down", "rule by heights"] {
+        assert!(said.contains(&format!("{method}: 100.0 % of blocks, 100.0 % of rows")), "{said}");
+    }
+    // a row in which a player found nothing loose
+    std::fs::write(&rows, table(0)).unwrap();
+    let said = run();
+    assert!(said.contains("rule by heights: 66.7 % of blocks, 50.0 % of rows"), "{said}");
+    let alone = teeter(&["validate", "--out", folder.path().to_str().unwrap(), "--rows", rows.to_str().unwrap()]);
+    assert!(alone.error_line().contains("--real"), "{}", alone.error_line());
+}

@@ -4,7 +4,7 @@ use std::path::{Path, PathBuf};
 
 use clap::Args;
 use clap::builder::{PossibleValue, PossibleValuesParser, TypedValueParser};
-use teeter_report::validation::{self, DataSheet, Figure, Options, Size, Topic};
+use teeter_report::validation::{self, DataSheet, Figure, Options, RealRows, RealSet, Size, Topic};
 use teeter_scene::{Form, MAX_BYTES};
 
 use crate::arguments::number;
@@ -39,16 +39,23 @@ pub struct Validate {
     /// Blocks torn out of a tower [default: 1000].
     #[arg(long = "yanks", value_name = "N", value_parser = clap::value_parser!(u32).range(1..=100_000))]
     collapses: Option<u32>,
-    /// Data sheet of a real tower, see docs/validation.md; without `--only`, no other topic is
-    /// measured.
+    /// Data sheet of a real tower, or with `--rows` the table of its blocks, see
+    /// docs/validation.md; without `--only`, no other topic is measured.
     #[arg(long, value_name = "FILE")]
     real: Option<PathBuf>,
+    /// Table of rows of real towers with the blocks that were loose.
+    #[arg(long, value_name = "FILE", requires = "real")]
+    rows: Option<PathBuf>,
 }
 
 impl Validate {
     /// Measures the topics, writes the report and prints the figures.
     pub fn run(self) -> Result<(), Error> {
-        let sheet = self.real.as_deref().map(data_sheet).transpose()?;
+        let real = match (&self.real, &self.rows) {
+            (Some(blocks), Some(rows)) => Some(RealSet::Rows(real_rows(blocks, rows)?)),
+            (Some(sheet), None) => Some(RealSet::Sheet(data_sheet(sheet)?)),
+            _ => None,
+        };
         let size = Size::new(&Options {
             quick: self.quick,
             form: self.form,
@@ -57,7 +64,7 @@ impl Validate {
             hours: self.hours,
             collapses: self.collapses,
         });
-        for section in validation::run(&self.out, &size, &self.only, sheet.as_ref())? {
+        for section in validation::run(&self.out, &size, &self.only, real.as_ref())? {
             output::line(section.title)?;
             section.figures.iter().try_for_each(print)?;
         }
@@ -78,6 +85,12 @@ fn print(figure: &Figure) -> Result<(), Error> {
 fn data_sheet(path: &Path) -> Result<DataSheet, Error> {
     let (text, name) = input::text(path, MAX_BYTES)?;
     text.parse::<DataSheet>().map_err(|error| Error::input(&name, error))
+}
+
+fn real_rows(blocks: &Path, rows: &Path) -> Result<RealRows, Error> {
+    let (blocks, name) = input::text(blocks, MAX_BYTES)?;
+    let (rows, other) = input::text(rows, MAX_BYTES)?;
+    RealRows::parse(&blocks, &rows).map_err(|error| Error::input(&format!("{name}, {other}"), error))
 }
 
 /// Parser of the names of topics.

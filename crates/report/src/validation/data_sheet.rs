@@ -6,8 +6,8 @@ use std::str::FromStr;
 
 use teeter_scene::{Block, Scene, SceneError, TowerOptions, tower};
 
-/// Contact stiffness of the tower, N/m.
-const STIFFNESS: f64 = 3e6;
+/// Contact stiffness of a real tower, N/m.
+pub(super) const STIFFNESS: f64 = 3e6;
 /// Error of a balance where the sheet names none, N.
 const BALANCE_ERROR: f64 = 0.02;
 /// Clearance between the sides of blocks that are wider than a third of their length, m.
@@ -173,10 +173,15 @@ fn count_rows(blocks: &[Line]) -> Result<u32, DataSheetError> {
     }
 }
 
+/// Distance between the centres of a row of blocks of `length` and `width` (m): three side by side
+/// are as wide as one is long, or almost touch where they are wider.
+pub(super) fn row_pitch(length: f64, width: f64) -> f64 {
+    ((length - width) / 2.0).max(width + CLEARANCE)
+}
+
 /// Stacks the blocks into a tower of `length` and `width` (m).
 fn stack(blocks: &[Line], rows: u32, (length, width): (f64, f64)) -> Vec<Block> {
-    // Three blocks side by side are as wide as one is long, or almost touch where they are wider.
-    let pitch = ((length - width) / 2.0).max(width + CLEARANCE);
+    let pitch = row_pitch(length, width);
     let (mut base, mut stacked) = (0.0, Vec::new());
     for row in 1..=rows {
         let in_row = || blocks.iter().filter(|block| block.row == row);

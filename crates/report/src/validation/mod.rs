@@ -1,7 +1,9 @@
 //! Report on the engine against exact mechanics and against measurements of real towers.
 
 mod data_sheet;
+mod real_rows;
 mod real_tower;
+mod row_agreement;
 mod section;
 mod size;
 mod topics;
@@ -13,6 +15,7 @@ use serde_json::{Value, json};
 use teeter_scene::Form;
 
 pub use data_sheet::{DataSheet, DataSheetError};
+pub use real_rows::{RealRows, RealRowsError};
 pub use section::{Figure, Section};
 pub use size::{Options, Size};
 pub use topics::Topic;
@@ -21,17 +24,28 @@ use crate::error::Error;
 use crate::output::{create_folder, write_file};
 use crate::page::Page;
 
+/// Measurements of a real set.
+#[derive(Debug)]
+pub enum RealSet {
+    /// Breakaway forces of the blocks of a tower.
+    Sheet(DataSheet),
+    /// Loose blocks of the rows of several towers.
+    Rows(RealRows),
+}
+
 /// Measures `topics`, all where none is named, and writes `validation.html` and `validation.json`
-/// into a folder. With a data sheet only the real tower and the topics named are measured.
+/// into a folder. With a real set only that and the topics named are measured.
 ///
 /// # Errors
-/// When a scene cannot be built, the sheet has no measured forces, or a file cannot be written.
-pub fn run(out: &Path, size: &Size, topics: &[Topic], sheet: Option<&DataSheet>) -> Result<Vec<Section>, Error> {
+/// When a scene cannot be built, a sheet has no measured forces, or a file cannot be written.
+pub fn run(out: &Path, size: &Size, topics: &[Topic], real: Option<&RealSet>) -> Result<Vec<Section>, Error> {
     create_folder(out)?;
-    let all = topics.is_empty() && sheet.is_none();
+    let all = topics.is_empty() && real.is_none();
     let mut sections: Vec<Section> = Vec::new();
-    if let Some(sheet) = sheet {
-        sections.push(real_tower::measure(sheet)?);
+    match real {
+        Some(RealSet::Sheet(sheet)) => sections.push(real_tower::measure(sheet)?),
+        Some(RealSet::Rows(rows)) => sections.push(row_agreement::measure(rows, size)?),
+        None => {}
     }
     for topic in Topic::ALL.into_iter().filter(|topic| all || topics.contains(topic)) {
         sections.push(topic.measure(size)?);
