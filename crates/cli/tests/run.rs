@@ -201,13 +201,13 @@ fn the_ramp_of_gravity_can_be_set() {
 /// report.
 #[test]
 fn warnings_name_what_a_world_changes() {
-    let bouncy = SLIDING.replace("\"restitution\": 0.5", "\"restitution\": 0.9");
+    let bouncy = SLIDING.replace("\"restitution\": 0.5", "\"restitution\": 0.99");
     let inputs = tempfile::NamedTempFile::new().unwrap();
     std::fs::write(inputs.path(), "{\"time\": 3}\n{\"time\": 2}").unwrap();
     let args = ["run", "-", "--seconds", "1", "--json", "--inputs", inputs.path().to_str().unwrap()];
     let report = common::teeter_with(&args, bouncy.as_bytes()).json();
     let expected = [
-        "`restitution` is 0.9, contacts have 0.61: they can have 0.43 to 0.61",
+        "`restitution` is 0.99, contacts have 0.96: they can have 0 to 0.96",
         "2 changes of the inputs begin after the end of the run, the first at 2 s",
     ];
     assert_eq!(report["warnings"], serde_json::json!(expected));

@@ -54,8 +54,8 @@ pub const BUDGET_CHECK_INTERVAL: usize = 4;
 /// Relaxation time of the Maxwell element, s. It damps the slow sway of a tower; a shorter time
 /// softens impacts.
 pub const MAXWELL_TIME: f64 = 0.01;
-/// Speed of the bodies of a contact from which they part in an impact, m/s: far above that of blocks
-/// at rest.
+/// Speed of the bodies of a contact from which they part in an impact, m/s: far above that of
+/// blocks at rest.
 pub const PARTING_SPEED: f64 = 2e-3;
 /// Tangential over normal stiffness.
 pub const TANGENTIAL_STIFFNESS: f64 = 0.8;
@@ -108,11 +108,13 @@ pub const START_RAMP: f64 = 0.1;
 pub const START_TIME: f64 = 0.75;
 /// Share of its velocity that a body keeps at the end of each frame in which it settles.
 pub const START_DAMPING: f64 = 0.5;
-/// Travel over the middle edge of a block from which it does not settle but falls or slides. A loose
-/// block of a tower rocks by a tenth of it.
+/// Travel over the middle edge of a block from which it does not settle but falls or slides. A
+/// loose block of a tower rocks by a tenth of it.
 pub const START_REACH: f64 = 0.15;
 /// Speed below which a body has settled, m/s.
 pub const START_SPEED: f64 = 1e-5;
+/// Speed up to which a body that has not settled in time begins where it is, m/s.
+pub const SWAY_SPEED: f64 = 1e-3;
 
 /// Time at rest after which a body may sleep, s.
 pub const REST_TIME: f64 = 0.25;

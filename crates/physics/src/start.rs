@@ -12,7 +12,7 @@ use crate::body::{Bodies, FLOOR, middle_edge};
 use crate::body_id::BodyId;
 use crate::cluster::island::islands;
 use crate::collision::manifold::{ContactPoint, Manifold};
-use crate::constants::{START_DAMPING, START_RAMP, START_REACH, START_SPEED, START_TIME, TOUCH_GAP};
+use crate::constants::{START_DAMPING, START_RAMP, START_REACH, START_SPEED, START_TIME, SWAY_SPEED, TOUCH_GAP};
 use crate::input::Input;
 use crate::pose::Twist;
 use crate::world::World;
@@ -80,11 +80,11 @@ impl World {
 
     /// Updates the states of the islands that settle.
     fn judge_islands(&self, initial: &Self, islands: &mut Islands) {
-        let mut quiet = vec![true; self.len()];
+        let mut speed = vec![0.0f64; self.len()];
         for body in self.bodies() {
             let (cluster, i) = self.clusters.get(body.0);
             let root = islands.root[body.index()] as usize;
-            quiet[root] &= cluster.bodies.max_point_speed(&cluster.shapes, i) < START_SPEED;
+            speed[root] = speed[root].max(cluster.bodies.max_point_speed(&cluster.shapes, i));
             let start = initial.pose(body);
             let moved = cluster.bodies.travel_since(&cluster.shapes, i, (start.position, start.orientation));
             if islands.of(body) == Island::Settling && moved > START_REACH * middle_edge(cluster.shapes.half[i]) {
@@ -92,8 +92,10 @@ impl World {
             }
         }
         let last = self.time + self.derived.frame > START_TIME;
-        for (state, quiet) in islands.states.iter_mut().zip(quiet).filter(|(state, _)| **state == Island::Settling) {
-            if quiet && self.time > START_RAMP {
+        // A tall tower still sways a little at the end; what falls is a hundred times as fast.
+        let enough = if last { SWAY_SPEED } else { START_SPEED };
+        for (state, speed) in islands.states.iter_mut().zip(speed).filter(|(state, _)| **state == Island::Settling) {
+            if speed < enough && self.time > START_RAMP {
                 *state = Island::Settled;
             } else if last {
                 *state = Island::Restless;

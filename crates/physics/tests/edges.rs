@@ -34,12 +34,12 @@ fn a_block_slides_over_a_flush_seam_as_if_there_were_none() {
 /// Two blocks that lean against each other at `angle` (rad) off the vertical.
 fn frame(angle: f64, edge_radius: f64) -> Scene {
     let size = [SIZE[2], SIZE[1], SIZE[0]];
-    let (sin, cos) = (angle.sin(), angle.cos());
+    let (sin, cos) = libm::sincos(angle);
     // Rounded edges recede from the sharp ones, at the floor and at the top.
     let core = [0.5 * size[0] - edge_radius, 0.5 * size[2] - edge_radius];
     let (x, z) = (core[0] * cos + core[1] * sin + edge_radius, core[1] * cos + core[0] * sin + edge_radius);
     let block = |id: u32, side: f64| Block {
-        orientation: Some([0.0, -side * (0.5 * angle).sin(), 0.0, (0.5 * angle).cos()]),
+        orientation: Some([0.0, -side * libm::sin(0.5 * angle), 0.0, libm::cos(0.5 * angle)]),
         ..Block::new(id, size, MASS, [side * x, 0.0, z])
     };
     Scene { edge_radius, blocks: vec![block(0, -1.0), block(1, 1.0)], ..one() }
@@ -57,15 +57,15 @@ fn energy(world: &World) -> f64 {
     world.bodies().map(of).sum()
 }
 
-/// The horizontal force at the top is m g (tan(angle) - width / length) / 2 by the moments about the
-/// foot, since the normal there is level; the floor must bear it by friction.
+/// The horizontal force at the top is m g (tan(angle) - width / length) / 2 by the moments about
+/// the foot, since the normal there is level; the floor must bear it by friction.
 #[test]
 fn blocks_that_lean_together_stand_from_the_friction_that_statics_asks_for() {
     for form in [Form::Rigid, Form::Lattice] {
         for (stiffness, radius) in [(1e6, 0.0), (1e6, 3e-4), (1e7, 0.0), (1e7, 3e-4)] {
             for degrees in [14.0f64, 22.5, 30.0, 40.0] {
                 let angle = degrees.to_radians();
-                let least = 0.5 * (angle.tan() - SIZE[2] / SIZE[0]);
+                let least = 0.5 * (libm::tan(angle) - SIZE[2] / SIZE[0]);
                 let what = format!("{form} {stiffness:e} N/m, radius {radius}, {degrees} degrees");
                 let stands = |friction: f64| {
                     let scene = Scene { form, stiffness, friction, ..frame(angle, radius) };

@@ -80,7 +80,7 @@ impl Throw {
             world.step(&Input::default());
             let now = world.pose(BodyId(0)).orientation;
             let q = now * last.conjugate();
-            angle += 2.0 * f64::atan2(q.z, q.w);
+            angle += 2.0 * libm::atan2(q.z, q.w);
             last = now;
         }
         Stop { distance: (world.pose(BodyId(0)).position - start.position).length(), angle: f64::abs(angle) }

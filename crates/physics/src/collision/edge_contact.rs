@@ -91,7 +91,7 @@ fn set_points(a: &Cuboid, b: &Cuboid, normal: DVec3, pairs: &Pairs, to: &mut Man
         torsion_ratio: LINE_TORSION_RATIO,
     };
     let (in_a, in_b) = (a.axes.transpose(), b.axes.transpose());
-    let frame = a.contact_frame(normal, least_axis(in_a * normal));
+    let frame = a.contact_frame(normal, min_axis(in_a * normal));
     let centroid = in_a * (pairs.iter().map(|[on_a, _]| *on_a).sum::<DVec3>() * share - a.center);
     let points = pairs.iter().map(|[on_a, on_b]| {
         let anchor_a = in_a * (*on_a - a.center);
@@ -109,7 +109,7 @@ fn set_points(a: &Cuboid, b: &Cuboid, normal: DVec3, pairs: &Pairs, to: &mut Man
 }
 
 /// Axis along which a direction has its smallest component.
-fn least_axis(direction: DVec3) -> usize {
+fn min_axis(direction: DVec3) -> usize {
     let size = direction.abs();
     if size.x <= size.y && size.x <= size.z {
         0

@@ -14,8 +14,8 @@ use crate::collision::nearest::{Feature, Nearest};
 /// Depth at which faces may meet, over the speed and the contact time: pressing them apart gives
 /// less than a thousandth of the energy of the motion.
 const MAX_DEPTH: f64 = 0.03;
-/// Travel of the edges before the next detection that needs looking ahead, over the sum of their
-/// radii.
+/// Travel of the edges before the next detection from which normals are predicted, over the sum of
+/// their radii.
 const MIN_TRAVEL: f64 = 0.1;
 
 /// Motion of two boxes against each other at their nearest points until the next detection.

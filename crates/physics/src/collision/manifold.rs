@@ -66,7 +66,7 @@ pub struct Manifold {
     /// Area of the patch over [`REFERENCE_AREA`], at least [`MIN_AREA`]: stiffness over that of the
     /// scene.
     pub area_ratio: f64,
-    /// Where friction acts.
+    /// Levers of friction.
     pub levers: FrictionLevers,
     /// Inverse effective mass of the two bodies at the patch, 1/kg: bounds the stiffness that the
     /// explicit step can integrate.

@@ -30,8 +30,8 @@ pub struct Nearest {
 }
 
 /// Relative shortfall of a separation along the normal that rounding explains: of parallel edges
-/// with ends side by side any may be nearest, and the normal leans towards the next by rounding over
-/// distance.
+/// with ends side by side any may be nearest, and the normal leans towards the next by rounding
+/// over distance.
 const ROUNDING: f64 = 1e-2;
 
 /// Best pair of points so far.

@@ -1,4 +1,5 @@
-//! Separating axis test of two boxes, on the face axes of both and the cross products of their edges.
+//! Separating axis test of two boxes, on the face axes of both and the cross products of their
+//! edges.
 
 use glam::{DMat3, DVec3};
 

@@ -106,7 +106,7 @@ pub fn apply_contacts<L: Lanes, B: BodyModel<L::Scalar>>(
 #[derive(Clone, Copy)]
 struct PartLaw<'a, L: Lanes> {
     part: usize,
-    /// The same number, see [`reload`].
+    /// Index of the part again, see [`reload`].
     again: usize,
     law: &'a ContactLaw<L::Scalar>,
     /// Damping over stiffness, substeps.
@@ -117,7 +117,7 @@ struct PartLaw<'a, L: Lanes> {
     left: [L; 2],
 }
 
-/// Returns its argument in a way that hides from the compiler that it is the same: what is loaded
+/// Returns its argument, and hides from the compiler that it is the same: what is loaded
 /// with it after a store is loaded from memory, as an operand of the arithmetic. Otherwise values
 /// used before and after are spilled to the stack in between, at one instruction each.
 #[inline(always)]

@@ -47,8 +47,8 @@ impl<R: Real> TangentialRefine<R> {
     }
 }
 
-/// Displacements of the points of a group along their tangents and about the normal, from those of the bodies in the
-/// layout of velocity rows.
+/// Displacements of the points of a group along their tangents and about the normal, from those of
+/// the bodies in the layout of velocity rows.
 fn tangential<L: Lanes, B: BodyModel<L::Scalar>>(
     group: &Group<L::Scalar>,
     rows: &[Row<L::Scalar>],
