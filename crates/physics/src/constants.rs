@@ -108,9 +108,9 @@ pub const START_RAMP: f64 = 0.1;
 pub const START_TIME: f64 = 0.75;
 /// Share of its velocity that a body keeps at the end of each frame in which it settles.
 pub const START_DAMPING: f64 = 0.5;
-/// Travel over the middle edge of a block from which it does not settle but falls or slides. A
-/// loose block of a tower rocks by a tenth of it.
-pub const START_REACH: f64 = 0.15;
+/// Travel of a block against one that it touches, over the thickness of the thinner, from which it
+/// does not settle but falls or slides. A loose block of a tower rocks by a hundredth of it.
+pub const START_REACH: f64 = 0.1;
 /// Speed below which a body has settled, m/s.
 pub const START_SPEED: f64 = 1e-5;
 /// Speed up to which a body that has not settled in time begins where it is, m/s.

@@ -8,7 +8,7 @@
 
 use glam::DVec3;
 
-use crate::body::{Bodies, FLOOR, middle_edge};
+use crate::body::{Bodies, FLOOR};
 use crate::body_id::BodyId;
 use crate::cluster::island::islands;
 use crate::collision::manifold::{ContactPoint, Manifold};
@@ -80,16 +80,12 @@ impl World {
 
     /// Updates the states of the islands that settle.
     fn judge_islands(&self, initial: &Self, islands: &mut Islands) {
+        self.find_restless(initial, islands);
         let mut speed = vec![0.0f64; self.len()];
         for body in self.bodies() {
             let (cluster, i) = self.clusters.get(body.0);
             let root = islands.root[body.index()] as usize;
             speed[root] = speed[root].max(cluster.bodies.max_point_speed(&cluster.shapes, i));
-            let start = initial.pose(body);
-            let moved = cluster.bodies.travel_since(&cluster.shapes, i, (start.position, start.orientation));
-            if islands.of(body) == Island::Settling && moved > START_REACH * middle_edge(cluster.shapes.half[i]) {
-                islands.set(body, Island::Restless);
-            }
         }
         let last = self.time + self.derived.frame > START_TIME;
         // A tall tower still sways a little at the end; what falls is a hundred times as fast.
@@ -103,14 +99,35 @@ impl World {
         }
     }
 
+    /// Finds islands of which a body has moved against one that it touched. A tower may sink by
+    /// more as a whole.
+    fn find_restless(&self, initial: &Self, islands: &mut Islands) {
+        let moved = |body: BodyId| self.pose(body).position - initial.pose(body).position;
+        let thickness = |body: BodyId| self.size(body).min_element();
+        for cluster in &initial.clusters.list {
+            let body = |i: u32| (i != FLOOR).then(|| BodyId(cluster.ids[i as usize]));
+            for manifold in cluster.contacts.manifolds.iter().filter(|m| touches(m)) {
+                let Some(b) = body(manifold.b) else { continue };
+                let against = body(manifold.a).map_or(DVec3::ZERO, moved);
+                let reach = body(manifold.a).map_or(f64::INFINITY, thickness).min(thickness(b));
+                if (moved(b) - against).length() > START_REACH * reach {
+                    for body in [Some(b), body(manifold.a)].into_iter().flatten() {
+                        if islands.of(body) == Island::Settling {
+                            islands.set(body, Island::Restless);
+                        }
+                    }
+                }
+            }
+        }
+    }
+
     /// Islands at the start: those that bear on something settle.
     fn start_islands(&self) -> Islands {
         let mut pairs = Vec::new();
         let mut borne = vec![false; self.len()];
         for cluster in &self.clusters.list {
-            let touches = |m: &&Manifold| m.points.iter().any(|p| p.gap < TOUCH_GAP);
             let held = |i: u32| i == FLOOR || cluster.bodies.fixed[i as usize];
-            for manifold in cluster.contacts.manifolds.iter().filter(touches) {
+            for manifold in cluster.contacts.manifolds.iter().filter(|m| touches(m)) {
                 match (held(manifold.a), held(manifold.b)) {
                     (false, false) => pairs.push((cluster.ids[manifold.a as usize], cluster.ids[manifold.b as usize])),
                     (true, false) => borne[cluster.ids[manifold.b as usize] as usize] = true,
@@ -181,6 +198,11 @@ impl World {
         let Twist { velocity, spin } = self.twist(body);
         self.set_twist(body, Twist { velocity: velocity * START_DAMPING, spin: spin * START_DAMPING });
     }
+}
+
+/// Returns true if two bodies touch at the start.
+fn touches(manifold: &Manifold) -> bool {
+    manifold.points.iter().any(|p| p.gap < TOUCH_GAP)
 }
 
 impl Bodies {

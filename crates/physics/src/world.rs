@@ -159,8 +159,9 @@ impl World {
     /// let scene = world.to_scene();
     /// let position = world.pose(BodyId(4)).position;
     /// assert_eq!(scene.blocks[4].pos, position.to_array());
+    /// // what touches settles again at the start
     /// let next = World::new(&scene, Params::default())?;
-    /// assert_eq!(next.pose(BodyId(4)).position, position);
+    /// assert!(next.pose(BodyId(4)).position.distance(position) < 1e-6);
     /// # Ok::<(), teeter_physics::BuildError>(())
     /// ```
     pub fn to_scene(&self) -> Scene {
