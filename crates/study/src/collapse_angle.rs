@@ -99,7 +99,7 @@ struct TiltedTower {
 impl TiltedTower {
     fn new(scene: &Scene, azimuth: f64, params: Params) -> Result<Self, BuildError> {
         let world = World::new(scene, params)?;
-        let footing = Footing::of(&world);
+        let footing = Footing::of_scene(scene);
         Ok(Self { world, gravity: scene.gravity, azimuth, angle: 0.0, footing })
     }
 

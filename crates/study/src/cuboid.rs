@@ -1,8 +1,9 @@
 //! Blocks as cuboids in the world, strained where their springs are.
 
-use glam::{DMat3, DVec3};
+use glam::{DMat3, DQuat, DVec3};
 use serde::{Deserialize, Serialize};
 use teeter_physics::{BodyId, World};
+use teeter_scene::Block;
 
 /// Sine below which two edges are parallel and their cross product is no axis.
 const PARALLEL: f64 = 1e-6;
@@ -31,6 +32,13 @@ impl Cuboid {
     /// Blocks of a world, in order of creation.
     pub fn all(world: &World) -> Vec<Self> {
         world.bodies().map(|body| Self::of(world, body)).collect()
+    }
+
+    /// Block of a scene.
+    pub fn of_block(block: &Block) -> Self {
+        let half = DMat3::from_diagonal(0.5 * DVec3::from(block.size));
+        let turn = DQuat::from_array(block.rotation());
+        Self { center: block.pos.into(), half_edges: DMat3::from_quat(turn) * half }
     }
 
     /// Block of a world.
@@ -128,8 +136,6 @@ impl Cuboid {
 
 #[cfg(test)]
 mod tests {
-    use glam::DQuat;
-
     use super::*;
 
     const HALF: DVec3 = DVec3::new(0.0405, 0.0134, 0.009);

@@ -19,6 +19,7 @@
 use glam::DVec3;
 use serde::{Deserialize, Serialize};
 use teeter_physics::{BodyId, World};
+use teeter_scene::Scene;
 
 use crate::cuboid::Cuboid;
 
@@ -106,13 +107,15 @@ fn width(at: &Cuboid) -> f64 {
 /// use teeter_physics::{Params, World};
 /// use teeter_study::Footing;
 ///
-/// let mut tower = World::new(&teeter_scene::named("column").unwrap(), Params::default())?;
-/// let footing = Footing::of(&tower);
+/// let scene = teeter_scene::named("column").unwrap();
+/// let mut tower = World::new(&scene, Params::default())?;
+/// let footing = Footing::of_scene(&scene);
 /// tower.run_for(1.0);
 /// assert!(!footing.any_fallen(&tower));
 ///
-/// let mut falling = World::new(&teeter_scene::named("test-4").unwrap(), Params::default())?;
-/// let footing = Footing::of(&falling);
+/// let scene = teeter_scene::named("test-4").unwrap();
+/// let mut falling = World::new(&scene, Params::default())?;
+/// let footing = Footing::of_scene(&scene);
 /// falling.run_for(2.0);
 /// assert!(footing.any_fallen(&falling));
 /// # Ok::<(), teeter_physics::BuildError>(())
@@ -131,6 +134,12 @@ impl Footing {
         // bearers have their centres below
         order.sort_by(|a, b| blocks[*a as usize].center.z.total_cmp(&blocks[*b as usize].center.z));
         Self { stances: (0..blocks.len()).map(|body| Stance::new(blocks, body)).collect(), order }
+    }
+
+    /// Footing of the blocks of a scene as built: a world of a scene that cannot stand may begin
+    /// with its blocks moved.
+    pub fn of_scene(scene: &Scene) -> Self {
+        Self::new(&scene.blocks.iter().map(Cuboid::of_block).collect::<Vec<_>>())
     }
 
     /// Footing of the blocks of a world where they are.

@@ -70,7 +70,7 @@ pub fn predict(scene: &Scene, params: Params) -> Result<Prediction, BuildError> 
 /// Returns true if a block of the upright tower falls.
 fn falls(scene: &Scene, params: Params) -> Result<bool, BuildError> {
     let mut world = World::new(scene, params)?;
-    let footing = Footing::of(&world);
+    let footing = Footing::of_scene(scene);
     let input = Input::default();
     while world.time() < DURATION - params.frame / 2.0 {
         let report = world.step(&input);

@@ -98,7 +98,7 @@ pub fn remove(scene: &Scene, block: usize, params: Params) -> Result<Removal, Bu
     let mut world = World::new(&rest, params)?;
     let settling = world.frames(SETTLE_TIME);
     let start = ReferencePositions::of(&world);
-    let (footing, mut fell, mut settled) = (Footing::of(&world), false, start.clone());
+    let (footing, mut fell, mut settled) = (Footing::of_scene(&rest), false, start.clone());
     for i in 1..=world.frames(DURATION) {
         fell = !world.step(&Input::default()).quarantined.is_empty() || footing.any_fallen(&world);
         if fell {

@@ -32,7 +32,7 @@ impl Recorder {
         Self {
             top: scene_height(scene),
             start: ReferencePositions::of(world),
-            footing: Footing::of(world),
+            footing: Footing::of_scene(scene),
             settled: None,
             fallen: vec![false; world.len()],
             displacement: 0.0,
