@@ -16,6 +16,8 @@ use crate::validation::size::{Size, params};
 const DISTANCES: [f64; 4] = [0.01, 0.02, 0.04, 0.06];
 /// Maximum number of loose blocks of a tower.
 const MAX_BLOCKS: usize = 8;
+/// Maximum number of put-backs listed.
+const MAX_LISTED: usize = 100;
 /// Towers of each setting but the first.
 const OTHER_TOWERS: u64 = 5;
 /// Towers of lattice blocks, which take six times as long.
@@ -91,6 +93,8 @@ struct Outcomes {
     setting: &'static str,
     /// Distance, m.
     distance: f64,
+    /// Tower and block of each outcome.
+    blocks: Vec<String>,
     backs: Vec<PutBack>,
 }
 
@@ -101,6 +105,21 @@ impl Outcomes {
 
     fn worst(&self) -> f64 {
         max(&self.backs.iter().map(|back| back.worst_mm).collect::<Vec<_>>())
+    }
+
+    /// Rows of the put-backs that moved another block.
+    fn moved_rows(&self) -> impl Iterator<Item = Vec<String>> {
+        let moved = self.backs.iter().zip(&self.blocks).filter(|(back, _)| back.moved_1_mm > 0);
+        moved.map(|(back, block)| {
+            let (mm, worst) = (format!("{:.0}", 1e3 * self.distance), format!("{:.2}", back.worst_mm));
+            vec![self.setting.to_owned(), block.clone(), mm, back.moved_1_mm.to_string(), worst]
+        })
+    }
+
+    fn data(&self) -> Value {
+        let back = |(block, back): (&String, &PutBack)| json!({"block": block, "seen": back});
+        let backs: Vec<Value> = self.blocks.iter().zip(&self.backs).map(back).collect();
+        json!({"setting": self.setting, "distance_m": self.distance, "put_back": backs})
     }
 
     fn row(&self) -> Vec<String> {
@@ -145,7 +164,9 @@ pub fn measure(size: &Size) -> Result<Section, Error> {
                 bar.inc(1);
                 back
             });
-            all.push(Outcomes { setting: setting.name, distance, backs });
+            let name = |&(world, body): &(&World, BodyId)| format!("{}, block {body}", world.scene().name);
+            let blocks = cases.iter().map(name).collect();
+            all.push(Outcomes { setting: setting.name, distance, blocks, backs });
         }
     }
     bar.finish_and_clear();
@@ -153,11 +174,10 @@ pub fn measure(size: &Size) -> Result<Section, Error> {
     let head = ["setting", "drawn mm", "pulls", "others > 1 mm", "> 5 mm", "fell", "worst mm"];
     let head = [&head[..], &["force inwards N", "block aside mm: median, largest"]].concat();
     section.table(&head, all.iter().map(Outcomes::row).collect());
+    let moved = all.iter().flat_map(Outcomes::moved_rows).take(MAX_LISTED).collect();
+    section.table(&["setting", "tower and block", "drawn mm", "others > 1 mm", "worst mm"], moved);
     section.charts.push(chart(&all));
-    section.data = all
-        .iter()
-        .map(|of| json!({"setting": of.setting, "distance_m": of.distance, "put_back": of.backs}))
-        .collect::<Value>();
+    section.data = all.iter().map(Outcomes::data).collect();
     Ok(section)
 }
 
