@@ -117,7 +117,7 @@ impl Packing {
                     });
                     to.maxwell = from.maxwell.0[l].to_f64();
                     let compression = -(from.gap.0[l].to_f64() + to.maxwell);
-                    // Without a zero of either sign, which the maximum of two would leave to the target.
+                    // The maximum of two zeros has a sign that depends on the target.
                     to.normal_force = if compression > 0.0 { from.stiffness.0[l].to_f64() * compression } else { 0.0 };
                 }
             }
