@@ -8,7 +8,7 @@
 
 use glam::DVec3;
 
-use crate::body::{Bodies, FLOOR};
+use crate::body::FLOOR;
 use crate::body_id::BodyId;
 use crate::cluster::island::islands;
 use crate::collision::manifold::{ContactPoint, Manifold};
@@ -61,8 +61,10 @@ impl World {
         }
         let initial = self.clone();
         for body in self.bodies() {
-            self.hold(body, islands.of(body) != Island::Settling);
             self.set_twist(body, Twist { velocity: DVec3::ZERO, spin: DVec3::ZERO });
+            if islands.of(body) != Island::Settling {
+                self.hold(body);
+            }
         }
         (self.derived.ramp, self.derived.sleep) = (START_RAMP, false);
         while self.time < START_TIME && islands.are_settling() {
@@ -71,7 +73,7 @@ impl World {
             for body in self.bodies() {
                 match islands.of(body) {
                     Island::Settling => self.slow(body),
-                    Island::Free | Island::Settled | Island::Restless => self.hold(body, true),
+                    Island::Free | Island::Settled | Island::Restless => self.hold(body),
                 }
             }
         }
@@ -157,7 +159,8 @@ impl World {
             to.bodies.quarantined[j] = false;
             to.bodies.asleep[j] = false;
             if !settled(body) {
-                to.bodies.put(j, &from.bodies, i);
+                to.bodies.position[j] = from.bodies.position[i];
+                to.bodies.orientation[j] = from.bodies.orientation[i];
                 if let Some(particles) = to.particles.get_mut(j) {
                     *particles = from.particles[i];
                     to.bodies.stretch[j] = from.bodies.stretch[i];
@@ -183,14 +186,12 @@ impl World {
         self.write_poses();
     }
 
-    /// Holds a body in place where `held`.
-    fn hold(&mut self, body: BodyId, held: bool) {
+    /// Holds a body in place.
+    fn hold(&mut self, body: BodyId) {
         let (cluster, i) = self.clusters.get_mut(body.0);
-        if held && !cluster.bodies.fixed[i] {
-            cluster.bodies.fixed[i] = true;
-            cluster.bodies.velocity[i] = DVec3::ZERO;
-            cluster.bodies.spin[i] = DVec3::ZERO;
-        }
+        cluster.bodies.fixed[i] = true;
+        cluster.bodies.velocity[i] = DVec3::ZERO;
+        cluster.bodies.spin[i] = DVec3::ZERO;
     }
 
     /// Takes a part of a body's motion.
@@ -203,11 +204,4 @@ impl World {
 /// Returns true if two bodies touch at the start.
 fn touches(manifold: &Manifold) -> bool {
     manifold.points.iter().any(|p| p.gap < TOUCH_GAP)
-}
-
-impl Bodies {
-    /// Puts body `j` into the pose of body `i` of `from`.
-    fn put(&mut self, j: usize, from: &Self, i: usize) {
-        (self.position[j], self.orientation[j]) = (from.position[i], from.orientation[i]);
-    }
 }

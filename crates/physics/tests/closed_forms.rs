@@ -95,7 +95,6 @@ fn a_flat_drop_bounces_with_the_restitution_of_the_scene() {
             };
             let drops: Vec<f64> = (0..20).map(|i| bounce(0.01 + 1.37e-6 * f64::from(i))).collect();
             let mean = drops.iter().sum::<f64>() / drops.len() as f64;
-            println!("{e}: {mean:.3}");
             assert!((mean - e).abs() < 0.05, "{mean} instead of {e}");
             assert!(drops.iter().all(|one| (one - mean).abs() < 0.08), "{drops:?}");
         }

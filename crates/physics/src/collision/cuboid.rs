@@ -58,14 +58,7 @@ impl Cuboid {
     #[inline]
     pub fn facing(&self, direction: DVec3) -> Facing {
         let facing = self.axes.transpose() * direction;
-        let size = facing.abs();
-        let axis = if size.x >= size.y && size.x >= size.z {
-            0
-        } else if size.y >= size.z {
-            1
-        } else {
-            2
-        };
+        let axis = facing.abs().max_position();
         let sign = if facing[axis] > 0.0 { -1.0 } else { 1.0 };
         let (p, q) = (facing[(axis + 1) % 3], facing[(axis + 2) % 3]);
         Facing { axis, sign, sine: (p * p + q * q).sqrt() }

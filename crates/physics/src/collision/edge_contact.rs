@@ -91,7 +91,7 @@ fn set_points(a: &Cuboid, b: &Cuboid, normal: DVec3, pairs: &Pairs, to: &mut Man
         torsion_ratio: LINE_TORSION_RATIO,
     };
     let (in_a, in_b) = (a.axes.transpose(), b.axes.transpose());
-    let frame = a.contact_frame(normal, min_axis(in_a * normal));
+    let frame = a.contact_frame(normal, (in_a * normal).abs().min_position());
     let centroid = in_a * (pairs.iter().map(|[on_a, _]| *on_a).sum::<DVec3>() * share - a.center);
     let points = pairs.iter().map(|[on_a, on_b]| {
         let anchor_a = in_a * (*on_a - a.center);
@@ -106,16 +106,4 @@ fn set_points(a: &Cuboid, b: &Cuboid, normal: DVec3, pairs: &Pairs, to: &mut Man
         }
     });
     to.set([a.body, b.body], (frame, centroid), &patch, points);
-}
-
-/// Axis along which a direction has its smallest component.
-fn min_axis(direction: DVec3) -> usize {
-    let size = direction.abs();
-    if size.x <= size.y && size.x <= size.z {
-        0
-    } else if size.y <= size.z {
-        1
-    } else {
-        2
-    }
 }
