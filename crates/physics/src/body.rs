@@ -5,7 +5,8 @@ use glam::{DMat3, DQuat, DVec3};
 use serde::{Deserialize, Serialize};
 use teeter_scene::{Form, Particles, Scene};
 
-use crate::constants::{BUDGET_CHECK_INTERVAL, MAX_RADIUS, MIN_STRETCH, SHARP_RADIUS};
+use crate::constants::{MAX_RADIUS, MIN_STRETCH, SHARP_RADIUS};
+use crate::contact_spring::ContactSpring;
 
 /// Index that stands for the floor.
 pub const FLOOR: u32 = u32::MAX;
@@ -27,11 +28,8 @@ pub struct Shapes {
     pub edge_radius: Vec<f64>,
     /// True if the edges are rounded; the radius of sharp ones only gives them a normal.
     pub rounded: bool,
-    /// Shortest time between two detections of a body, s.
-    pub lookahead: Vec<f64>,
-    /// Square root of mass over stiffness of the contacts, s: a body of this mass swings on a
-    /// contact with this inverse angular frequency.
-    pub contact_time: Vec<f64>,
+    /// Constants of the springs of contacts.
+    pub spring: ContactSpring,
     /// Distances of the particles from the centre along the body's axes, m; empty for rigid bodies.
     pub particles: Vec<DVec3>,
 }
@@ -64,15 +62,8 @@ impl Shapes {
         self.friction.push(from.friction[i]);
         self.edge_radius.push(from.edge_radius[i]);
         self.rounded = from.rounded;
-        self.lookahead.push(from.lookahead[i]);
-        self.contact_time.push(from.contact_time[i]);
+        self.spring = from.spring;
         self.particles.extend(from.particles.get(i));
-    }
-
-    /// Sets the times that follow from a substep of `h` (s) and the stiffness of contacts (N/m).
-    pub fn set_times(&mut self, h: f64, stiffness: f64) {
-        self.lookahead = vec![BUDGET_CHECK_INTERVAL as f64 * h; self.mass.len()];
-        self.contact_time = self.mass.iter().map(|mass| (mass / stiffness).sqrt()).collect();
     }
 
     /// Sets the form of the bodies, and with it particles and inertia.

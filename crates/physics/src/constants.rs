@@ -41,6 +41,11 @@ pub const SYNC_TIME: f64 = 1.0 / 240.0;
 pub const SYNC_ROTATION: f64 = 4e-3;
 /// Shortest time between syncs that [`SYNC_ROTATION`] requires of a spinning body, s.
 pub const SPIN_SYNC_TIME: f64 = 5e-4;
+/// Largest error of a gap between two syncs over the depth of an impact. A larger one gives small
+/// blocks that spin energy at each sync.
+pub const GAP_ERROR: f64 = 0.05;
+/// Smallest rotation that requires a sync, rad.
+pub const MIN_SYNC_ROTATION: f64 = 1e-5;
 /// Rotation that requires a sync of a body without contacts, rad: it bounds the error of the
 /// orientation.
 pub const FREE_SYNC_ROTATION: f64 = 2e-2;
@@ -99,6 +104,15 @@ pub const EDGE_PREFERENCE: f64 = 1e-4;
 pub const AXIS_HYSTERESIS: f64 = 5e-5;
 /// Distance below which two corners of a patch are merged, m.
 pub const CORNER_MERGE: f64 = 1e-4;
+
+/// Depth of a contact that is never free of force, over the smallest edge of its blocks.
+pub const MIN_FREE_DEPTH: f64 = 1e-4;
+/// Difference of a gap and its first order between two syncs that exerts no force, over the smallest
+/// edge of the blocks; smaller ones are rounding.
+pub const MIN_SUNK_DEPTH: f64 = 1e-6;
+/// Speed at which a free depth fades over the smallest edge of the blocks, 1/s: slow against an
+/// impact, so that fading does little work.
+pub const FREE_DEPTH_RATE: f64 = 0.05;
 
 /// Gap up to which blocks touch at the start, m: the rounding of files with five digits.
 pub const TOUCH_GAP: f64 = 2e-5;

@@ -8,6 +8,7 @@ use crate::body::Shapes;
 use crate::constants::{
     CROSSED_MOBILITY, MIN_AREA, NOMINAL_MASS, REFERENCE_AREA, STEP_AREA, STEP_LIMIT, STRAIN_INERTIA,
 };
+use crate::contact_spring::ContactSpring;
 use crate::lattice::springs::Springs;
 use crate::params::Params;
 use crate::restitution::{Impact, STEP_DAMPING};
@@ -67,6 +68,11 @@ impl Derived {
             ramp: params.ramp,
             sleep: params.sleep,
         }
+    }
+
+    /// Constants of the springs of contacts.
+    pub fn contact_spring(&self) -> ContactSpring {
+        ContactSpring { stiffness: self.stiffness, zeta: self.impact.zeta, h: self.h, gravity: self.gravity }
     }
 
     /// Gravity of the scene, m/s².

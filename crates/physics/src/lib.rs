@@ -6,7 +6,9 @@ mod body_id;
 mod cluster;
 mod collision;
 mod constants;
+mod contact_spring;
 mod derived;
+mod energy;
 mod input;
 mod kernel;
 mod lattice;
@@ -28,6 +30,7 @@ mod world;
 
 pub use body_id::BodyId;
 pub use constants::REFERENCE_AREA;
+pub use energy::Energy;
 pub use input::{AppliedForce, Drive, Grip, Hand, Input};
 pub use params::{Params, Precision, Width};
 pub use pose::{POSE_STRIDE, Pose, Twist};

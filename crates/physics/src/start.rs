@@ -180,7 +180,7 @@ impl World {
                 .iter_mut()
                 .filter(stale)
                 .for_each(|m| m.points.iter_mut().for_each(ContactPoint::reset));
-            cluster.contacts.detect_all(&cluster.shapes, &mut cluster.bodies);
+            cluster.contacts.detect_initial(&cluster.shapes, &mut cluster.bodies);
             cluster.outgrown = true;
         }
         self.write_poses();

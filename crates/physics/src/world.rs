@@ -94,7 +94,7 @@ impl World {
         let mut shapes = Shapes::new(scene);
         let fixed: Vec<bool> = scene.blocks.iter().map(|block| block.fixed).collect();
         let derived = Derived::new(scene, &params, Masses::new(&shapes, &fixed));
-        shapes.set_times(derived.h, derived.stiffness);
+        shapes.spring = derived.contact_spring();
         let mut world = Self {
             scene: scene.clone(),
             derived,
@@ -307,7 +307,7 @@ impl World {
         for cluster in &mut self.clusters.list {
             let Cluster { shapes, bodies, particles, .. } = cluster;
             shapes.set_form(form, springs.particles);
-            shapes.set_times(self.derived.h, self.derived.stiffness);
+            shapes.spring = self.derived.contact_spring();
             if refit {
                 let of = |i: usize, &half: &DVec3| {
                     Particles::of_rigid(half, bodies.orientation[i], bodies.velocity[i], bodies.spin[i])
@@ -436,7 +436,7 @@ fn single_cluster(scene: &Scene, params: &Params, shapes: Shapes) -> Cluster {
     cluster.contacts.swept = (0..cluster.len()).map(bound).collect();
     cluster.contacts.bounds = cluster.contacts.swept.clone();
     cluster.contacts.update_neighbours();
-    cluster.contacts.detect_all(&shapes, &mut cluster.bodies);
+    cluster.contacts.detect_initial(&shapes, &mut cluster.bodies);
     cluster.shapes = shapes;
     cluster.outgrown = true;
     cluster

@@ -9,6 +9,7 @@ use crate::body::FLOOR;
 use crate::cluster::Cluster;
 use crate::cluster::{rest, sync, travel_budget};
 use crate::collision::contacts::{Contacts, needs_detection};
+use crate::collision::passivity::fade;
 use crate::constants::{MIN_SWEEP, SYNC_SHARE, SYNC_TIME};
 use crate::derived::Derived;
 use crate::kernel::any_kernel::with_kernel;
@@ -78,6 +79,9 @@ impl Cluster {
     /// Resets packing and kernel for a frame.
     pub fn begin_frame(&mut self, frame: &Frame) {
         self.packing.reset(&self.bodies);
+        for manifold in self.contacts.manifolds.iter_mut().filter(|manifold| manifold.free_depth > 0.0) {
+            fade(manifold, frame.derived.frame, &self.shapes);
+        }
         with_kernel!(self.kernel, |kernel| kernel.resize(self.bodies.len(), frame.derived.h));
     }
 
@@ -138,7 +142,8 @@ impl Cluster {
                 let (force, torque) = cluster_input.force(bodies, i, progress);
                 packing.load[i] = (shapes.mass[i] * gravity + force, torque);
                 if synced.members[i] {
-                    packing.rotation_budget[i] = travel_budget::rotation_budget(bodies, i, packing.has_contacts(i));
+                    packing.rotation_budget[i] =
+                        travel_budget::rotation_budget(shapes, bodies, i, packing.has_contacts(i));
                 }
                 packing.synced_at[i] = batch.start;
                 packing.load_body(kernel, &input, i, cluster_input.bodies().any(|j| j == i));
@@ -285,7 +290,8 @@ impl Cluster {
     pub fn update_gaps(&mut self, synced: &SyncSet, report: &mut ClusterReport) {
         for manifold in &mut self.contacts.manifolds {
             if synced.touches(manifold.a, manifold.b) {
-                report.penetration = report.penetration.max(Contacts::update_gaps(&self.bodies, manifold));
+                report.penetration =
+                    report.penetration.max(Contacts::update_gaps(&self.shapes, &self.bodies, manifold));
             }
         }
     }

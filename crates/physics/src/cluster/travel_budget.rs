@@ -2,7 +2,9 @@
 
 use crate::body::{Bodies, FLOOR, Shapes};
 use crate::collision::manifold::Manifold;
-use crate::constants::{FREE_SYNC_ROTATION, MIN_TRAVEL_BUDGET, SPIN_SYNC_TIME, SYNC_ROTATION};
+use crate::constants::{
+    FREE_SYNC_ROTATION, GAP_ERROR, MIN_SYNC_ROTATION, MIN_TRAVEL_BUDGET, SPIN_SYNC_TIME, SYNC_ROTATION,
+};
 
 /// Speed below which a body counts as quiet, m/s.
 const QUIET_SPEED: f64 = 1e-4;
@@ -49,10 +51,13 @@ pub fn remaining_margin(shapes: &Shapes, bodies: &Bodies, i: usize) -> f64 {
 }
 
 /// Rotation budget of a body, rad. A fast spinning body has a larger one, for its contacts are
-/// impacts, whose depth far exceeds the error of the gaps.
-pub fn rotation_budget(bodies: &Bodies, i: usize, has_contacts: bool) -> f64 {
+/// impacts, whose depth far exceeds the error of the gaps: r w sqrt(m / k) against r angle² / 2. A
+/// small or stiff body has a smaller one for the same reason.
+pub fn rotation_budget(shapes: &Shapes, bodies: &Bodies, i: usize, has_contacts: bool) -> f64 {
     if has_contacts {
-        (bodies.spin[i].length() * SPIN_SYNC_TIME).clamp(SYNC_ROTATION, FREE_SYNC_ROTATION)
+        let spin = bodies.spin[i].length();
+        let shallow = (2.0 * GAP_ERROR * spin * (shapes.mass[i] / shapes.spring.stiffness).sqrt()).sqrt();
+        (spin * SPIN_SYNC_TIME).clamp(SYNC_ROTATION, FREE_SYNC_ROTATION).min(shallow.max(MIN_SYNC_ROTATION))
     } else {
         FREE_SYNC_ROTATION
     }

@@ -15,13 +15,13 @@ use crate::collision::lookahead::Approach;
 use crate::collision::manifold::{Manifold, SeparatingAxis};
 use crate::collision::nearest::{Feature, Nearest, nearest};
 use crate::collision::pair_status::PairStatus;
-use crate::collision::separating_axis::{Separation, separation};
+use crate::collision::separating_axis::{LastAxis, Separation, separation};
 use crate::constants::{FLAT_SINE, MIN_NEAR_TRAVEL, ROUND_TRAVEL};
 
 /// Tests two boxes, `low` having the lower index; they are apart where some axis separates them by
 /// more than `limit` (m). Where they touch, `to` becomes their manifold, which is too large to
 /// return by value.
-pub fn box_box(low: &Cuboid, high: &Cuboid, limit: f64, last: Option<SeparatingAxis>, to: &mut Manifold) -> PairStatus {
+pub fn box_box(low: &Cuboid, high: &Cuboid, limit: f64, last: Option<LastAxis>, to: &mut Manifold) -> PairStatus {
     let Some(found) = separation(low, high, limit, last) else { return PairStatus::Apart };
     let faces = face_pair(low, high, &found);
     if let Some(pair) = faces.filter(FacePair::is_flat)

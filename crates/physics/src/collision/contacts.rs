@@ -1,5 +1,6 @@
 //! Contact manifolds of a cluster, sorted by their keys, and the detection that updates them.
 
+use arrayvec::ArrayVec;
 use serde::{Deserialize, Serialize};
 
 use crate::body::{Bodies, FLOOR, Shapes, rotate_tensor};
@@ -7,9 +8,13 @@ use crate::collision::box_box::box_box;
 use crate::collision::box_floor::box_floor;
 use crate::collision::broad_phase::{Aabb, Neighbours, overlapping_pairs};
 use crate::collision::cuboid::Cuboid;
-use crate::collision::manifold::{Manifold, key};
+use crate::collision::manifold::{MAX_POINTS, Manifold, key};
 use crate::collision::pair_status::PairStatus;
-use crate::constants::{MARGIN_RANGE, MARGIN_SHARE, MARGIN_TIME, STRAIN_INERTIA};
+use crate::collision::passivity::{SpringEnergy, thickness};
+use crate::collision::separating_axis::LastAxis;
+use crate::constants::{
+    BUDGET_CHECK_INTERVAL, MARGIN_RANGE, MARGIN_SHARE, MARGIN_TIME, MIN_SUNK_DEPTH, STRAIN_INERTIA,
+};
 
 /// Largest number of new manifolds that are inserted one by one; more are appended and sorted.
 const MAX_INSERTIONS: usize = 8;
@@ -106,9 +111,13 @@ impl Contacts {
                 (PairStatus::Apart | PairStatus::Near(_), _) => {}
                 (PairStatus::Touching(_), Some(i)) => {
                     touching[i] = true;
+                    limit_energy(&mut next, Some(&mut self.manifolds[i]), shapes, bodies);
                     self.manifolds[i].copy_from(&next);
                 }
-                (PairStatus::Touching(_), None) => found.push(next.clone()),
+                (PairStatus::Touching(_), None) => {
+                    limit_energy(&mut next, None, shapes, bodies);
+                    found.push(next.clone());
+                }
             }
             if let PairStatus::Near(travel) | PairStatus::Touching(travel) = status
                 && travel.is_finite()
@@ -138,21 +147,61 @@ impl Contacts {
         self.detect(shapes, bodies, &all, &pairs);
     }
 
-    /// Recomputes the gaps of a manifold from the poses; returns the deepest penetration, m.
-    pub fn update_gaps(bodies: &Bodies, manifold: &mut Manifold) -> f64 {
-        let (center_a, axes_a) = bodies.pose(manifold.a);
-        let (center_b, axes_b) = bodies.affine(manifold.b);
-        let normal = manifold.normal_in_world(bodies, axes_a);
-        let axes_a = bodies.strained(manifold.a, axes_a);
-        let mut deepest: f64 = 0.0;
-        for point in &mut manifold.points {
-            let on_a = center_a + axes_a * point.anchor_a;
-            let on_b = center_b + axes_b * point.anchor_b;
-            point.gap = normal.dot(on_b - on_a);
-            deepest = deepest.max(-point.gap);
+    /// Detects all contacts of a new world, in which contacts hold what the scene presses them.
+    pub fn detect_initial(&mut self, shapes: &Shapes, bodies: &mut Bodies) {
+        self.detect_all(shapes, bodies);
+        self.manifolds.iter_mut().for_each(|manifold| manifold.free_depth = 0.0);
+    }
+
+    /// Recomputes the gaps of a manifold after its bodies have moved; returns the deepest
+    /// penetration, m.
+    ///
+    /// The loop integrates gaps to first order in the rotation, so the exact gap of a block that
+    /// rolls is always smaller. That difference exerts no force, or each sync would add energy.
+    pub fn update_gaps(shapes: &Shapes, bodies: &Bodies, manifold: &mut Manifold) -> f64 {
+        let before: ArrayVec<f64, MAX_POINTS> = manifold.points.iter().map(|p| p.gap.min(0.0)).collect();
+        set_gaps(bodies, manifold);
+        let (mut sunk, mut weight) = (0.0, 0.0);
+        for (before, point) in before.into_iter().zip(&manifold.points).filter(|(_, point)| point.gap < 0.0) {
+            sunk += point.weight * (before - point.gap);
+            weight += point.weight;
+        }
+        let deepest = manifold.deepest();
+        // What rocks to and fro sinks and rises by the same, and gathers no free depth.
+        if manifold.free_depth > 0.0 || sunk > weight * MIN_SUNK_DEPTH * thickness(manifold, shapes) {
+            let sunk = if weight > 0.0 { sunk / weight } else { 0.0 };
+            // Bodies that move apart leave none behind.
+            manifold.free_depth = (manifold.free_depth + sunk).clamp(0.0, deepest);
         }
         deepest
     }
+}
+
+/// Sets the gaps of a manifold from the poses.
+fn set_gaps(bodies: &Bodies, manifold: &mut Manifold) {
+    let (center_a, axes_a) = bodies.pose(manifold.a);
+    let (center_b, axes_b) = bodies.affine(manifold.b);
+    let normal = manifold.normal_in_world(bodies, axes_a);
+    let axes_a = bodies.strained(manifold.a, axes_a);
+    for point in &mut manifold.points {
+        let on_a = center_a + axes_a * point.anchor_a;
+        let on_b = center_b + axes_b * point.anchor_b;
+        point.gap = normal.dot(on_b - on_a);
+    }
+}
+
+/// Limits the energy of a new manifold to that of the last one of its pair.
+fn limit_energy(next: &mut Manifold, last: Option<&mut Manifold>, shapes: &Shapes, bodies: &Bodies) {
+    // Strained blocks have other gaps than the boxes that detection takes them for.
+    set_gaps(bodies, next);
+    if next.deepest() == 0.0 {
+        return;
+    }
+    let energy = last.map_or_else(SpringEnergy::default, |last| {
+        Contacts::update_gaps(shapes, bodies, last);
+        SpringEnergy::of(last, shapes, bodies)
+    });
+    energy.limit(next, shapes, bodies);
 }
 
 /// Returns true if a body has moved by [`MARGIN_SHARE`] of its margin since its last detection.
@@ -169,7 +218,8 @@ pub fn cuboid(shapes: &Shapes, bodies: &Bodies, i: u32) -> Cuboid {
         (cuboid.half, cuboid.radius) = (bodies.half(shapes, i), shapes.edge_radius[i]);
         cuboid.rounded = shapes.rounded;
         (cuboid.velocity, cuboid.spin) = (bodies.velocity[i], bodies.spin[i]);
-        (cuboid.lookahead, cuboid.contact_time) = (shapes.lookahead[i], shapes.contact_time[i]);
+        cuboid.lookahead = BUDGET_CHECK_INTERVAL as f64 * shapes.spring.h;
+        cuboid.softness = shapes.mass[i] / shapes.spring.stiffness;
     }
     cuboid
 }
@@ -182,13 +232,17 @@ fn test_pair(
     last: Option<&Manifold>,
     to: &mut Manifold,
 ) -> PairStatus {
-    let axis = last.map(|m| m.axis);
     let (low_box, high_box) = (cuboid(shapes, bodies, low), cuboid(shapes, bodies, high));
     let status = if low == FLOOR {
-        box_floor(&high_box, bodies.margin[high as usize], axis, to)
+        box_floor(&high_box, bodies.margin[high as usize], last.map(|m| m.axis), to)
     } else {
         let limit = bodies.margin[low as usize] + bodies.margin[high as usize];
-        box_box(&low_box, &high_box, limit, axis, to)
+        let axes = |m: &Manifold| if m.a == low { (low_box.axes, 1.0) } else { (high_box.axes, -1.0) };
+        let last = last.map(|m| {
+            let (axes, sign) = axes(m);
+            LastAxis { axis: m.axis, normal: axes * m.frame[0] * sign }
+        });
+        box_box(&low_box, &high_box, limit, last, to)
     };
     if !matches!(status, PairStatus::Touching(_)) {
         return status;

@@ -38,7 +38,7 @@ impl Approach {
         let velocity = b.velocity_at(q) - a.velocity_at(p);
         let (time, radius) = (a.lookahead.max(b.lookahead), a.radius + b.radius);
         let speed = velocity.length();
-        let max_depth = MAX_DEPTH * speed * a.contact_time.min(b.contact_time);
+        let max_depth = MAX_DEPTH * speed * a.softness.min(b.softness).sqrt();
         (speed * time > MIN_TRAVEL * radius).then_some(Self { velocity, time, radius, max_depth })
     }
 

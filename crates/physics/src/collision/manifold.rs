@@ -71,6 +71,8 @@ pub struct Manifold {
     /// Inverse effective mass of the two bodies at the patch, 1/kg: bounds the stiffness that the
     /// explicit step can integrate.
     pub mobility: f64,
+    /// Depth up to which the points exert no force, m, see [`crate::collision::passivity`].
+    pub free_depth: f64,
     /// Contact points.
     pub points: ArrayVec<ContactPoint, MAX_POINTS>,
 }
@@ -96,6 +98,7 @@ impl Manifold {
             area_ratio: 0.0,
             levers: FrictionLevers::default(),
             mobility: 0.0,
+            free_depth: 0.0,
             points: ArrayVec::new(),
         }
     }
@@ -111,7 +114,7 @@ impl Manifold {
     ) {
         (self.a, self.b, self.frame, self.centroid) = (a, b, frame, centroid);
         self.area_ratio = (patch.area / REFERENCE_AREA).max(MIN_AREA);
-        self.mobility = 0.0;
+        (self.mobility, self.free_depth) = (0.0, 0.0);
         self.points.clear();
         self.points.extend(points);
         let offsets: ArrayVec<[f64; 2], MAX_POINTS> = self.points.iter().map(|p| p.arm).collect();
@@ -120,9 +123,10 @@ impl Manifold {
 
     /// Copies another manifold. Unlike an assignment it moves only the points in use.
     pub fn copy_from(&mut self, from: &Self) {
-        let Self { a, b, axis, frame, centroid, area_ratio, levers, mobility, ref points } = *from;
+        let Self { a, b, axis, frame, centroid, area_ratio, levers, mobility, free_depth, ref points } = *from;
         (self.a, self.b, self.axis, self.frame, self.centroid) = (a, b, axis, frame, centroid);
-        (self.area_ratio, self.levers, self.mobility) = (area_ratio, levers, mobility);
+        (self.area_ratio, self.levers) = (area_ratio, levers);
+        (self.mobility, self.free_depth) = (mobility, free_depth);
         self.points.clear();
         self.points.extend(points.iter().copied());
     }
@@ -130,6 +134,11 @@ impl Manifold {
     /// Sort key of the pair, see [`key`].
     pub fn key(&self) -> (u32, u32) {
         key(self.a, self.b)
+    }
+
+    /// Depth of the deepest point, m; zero where all are open.
+    pub fn deepest(&self) -> f64 {
+        self.points.iter().map(|p| -p.gap).fold(0.0, f64::max)
     }
 
     /// Normal in the world, perpendicular to the face of A also where A is strained.

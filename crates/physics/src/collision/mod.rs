@@ -12,5 +12,7 @@ pub mod lookahead;
 pub mod manifold;
 pub mod nearest;
 pub mod pair_status;
+pub mod passivity;
 pub mod polygon;
 pub mod separating_axis;
+pub mod stable_spring;

@@ -213,7 +213,12 @@ fn contact_point<L: Lanes, M: RelativeMotion<L>, const PARTING: bool>(
     }
     let maxwell = L::mask(closed, load::<L>(&p.maxwell, part) * L::splat(law.maxwell_decay) + vn);
     let k = L::mask(closed, load::<L>(&p.stiffness, part));
-    let spring = if PARTING { (gap + maxwell) * left[0] } else { gap + maxwell };
+    // A point that still closes, as a block rotates, keeps all of its force: it would sink in freely.
+    let spring = if PARTING {
+        (gap + maxwell) * L::select(zero.less_than(vn), left[0], L::splat_f64(1.0))
+    } else {
+        gap + maxwell
+    };
     let unlimited = k * (spring + damping_time * vn);
     let normal_force = unlimited.min(zero);
     maxwell.store(&mut p.maxwell.0, part);

@@ -11,7 +11,7 @@ use glam::DVec3;
 use crate::body::{Bodies, FLOOR, Shapes};
 use crate::collision::contacts::Contacts;
 use crate::collision::manifold::Manifold;
-use crate::constants::{FLOOR_STEP_LIMIT, STEP_LIMIT};
+use crate::collision::stable_spring::stable_spring;
 use crate::derived::Derived;
 use crate::kernel::body_model::{BodyModel, KernelBody};
 use crate::kernel::inner_loop::Kernel;
@@ -107,7 +107,7 @@ impl Packing {
             }
             let (group, l) = (&mut kernel.groups[index / LANES], index % LANES);
             if let Some(manifold) = contacts.find_from(entry.manifold, (entry.a, entry.b)) {
-                let points = &mut contacts.manifolds[manifold].points;
+                let Manifold { points, free_depth, .. } = &mut contacts.manifolds[manifold];
                 for (slot, (from, &p)) in group.points.iter().zip(&entry.points).enumerate() {
                     let to = &mut points[p as usize];
                     let [x, y, turned] = &from.tangential;
@@ -116,7 +116,9 @@ impl Packing {
                         refine.refine(to.tangential, tangential, (index, slot))
                     });
                     to.maxwell = from.maxwell.0[l].to_f64();
-                    let compression = -(from.gap.0[l].to_f64() + to.maxwell);
+                    let gap = from.gap.0[l].to_f64();
+                    to.gap = gap - *free_depth;
+                    let compression = -(gap + to.maxwell);
                     // The maximum of two zeros has a sign that depends on the target.
                     to.normal_force = if compression > 0.0 { from.stiffness.0[l].to_f64() * compression } else { 0.0 };
                 }
@@ -163,7 +165,7 @@ impl Packing {
             self.pack_geometry(group, l, manifold, input.bodies);
             let [kinetic, excess] = friction(manifold, input.shapes, input.derived);
             (group.mu_kinetic.0[l], group.mu_excess.0[l]) = (R::from_f64(kinetic), R::from_f64(excess));
-            let (stiffness, damping) = stable_spring(manifold, input);
+            let (stiffness, damping) = stable_spring(manifold, input.shapes, input.bodies);
             pack_points(group, l, &entry, manifold, (stiffness, damping / stiffness / input.derived.h));
             for i in [entry.a, entry.b].into_iter().filter(|&i| i != FLOOR) {
                 self.entry_counts[i as usize] += 1;
@@ -274,7 +276,7 @@ fn pack_points<R: Real>(
             set(&mut to.friction_arm[k], friction_arm);
             set(&mut to.tangential[k], from.tangential[k]);
         }
-        set(&mut to.gap, from.gap);
+        set(&mut to.gap, from.gap + manifold.free_depth);
         set(&mut to.maxwell, from.maxwell);
         set(&mut to.stiffness, stiffness * from.weight);
     }
@@ -289,24 +291,4 @@ fn friction(manifold: &Manifold, shapes: &Shapes, derived: &Derived) -> [f64; 2]
     let fixed = if a == b { a } else { (a * b).sqrt() };
     let kinetic = fixed * derived.kinetic_ratio;
     [kinetic, fixed - kinetic]
-}
-
-/// Stiffness (N/m) and damping (N s/m) of a manifold, limited to what the explicit step can
-/// integrate.
-///
-/// A mode of stiffness k and damping c with mobility X is stable while 2 k X h² + 2 c X h < 4; the
-/// Maxwell element doubles k. That holds for a single contact: [`STEP_LIMIT`] and
-/// [`FLOOR_STEP_LIMIT`] are the parts that one contact among others may use. Stiffness is limited
-/// to 0.6 of that part and damping to the remainder. Crossed nominal blocks are within the limit,
-/// for the substep is derived from them, see [`crate::derived`]; blocks lying flat on each other
-/// would exceed it.
-fn stable_spring(manifold: &Manifold, &PackInput { shapes, bodies, derived, .. }: &PackInput) -> (f64, f64) {
-    let held = |i: u32| i == FLOOR || bodies.fixed[i as usize];
-    let inv = |i: u32| if held(i) { 0.0 } else { shapes.mass[i as usize].recip() };
-    let mass = (inv(manifold.a) + inv(manifold.b)).recip();
-    let limit = if manifold.a == FLOOR { FLOOR_STEP_LIMIT } else { STEP_LIMIT };
-    let (h, x) = (derived.h, manifold.mobility);
-    let stiffness = (derived.stiffness * manifold.area_ratio).min(0.6 * limit / (2.0 * h * h * x));
-    let damping = 2.0 * derived.impact.zeta * (stiffness * mass).sqrt();
-    (stiffness, damping.min((limit - 2.0 * h * h * stiffness * x) / (2.0 * h * x)))
 }

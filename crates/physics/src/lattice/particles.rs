@@ -49,6 +49,20 @@ impl Particles {
         LatticeReport { particles: at.map(|at| center + axes * at), forces }
     }
 
+    /// Energy of the springs, J: k (l² - l0²)² / (8 l0²) each, the integral of the force in
+    /// [`report`](Self::report).
+    pub fn energy(&self, half: DVec3, springs: &Springs) -> f64 {
+        (0..SPRINGS)
+            .map(|n| {
+                let (i, j, _) = ends(n);
+                let rest = rest_position(half, j) - rest_position(half, i);
+                let now = rest + self.displacement[j] - self.displacement[i];
+                let (rest, now) = (rest.length_squared(), now.length_squared());
+                springs.stiffness * (now - rest) * (now - rest) / (8.0 * rest)
+            })
+            .sum()
+    }
+
     /// Stretch S = R⁻¹ F of the block; displacements that are not affine do not contribute.
     pub fn stretch(&self, half: DVec3) -> DMat3 {
         gradient(&self.displacement, half) + DMat3::IDENTITY

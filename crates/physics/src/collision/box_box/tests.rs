@@ -38,7 +38,7 @@ fn pairs() -> impl Strategy<Value = (Cuboid, Cuboid)> {
     (body(0, -1e-9..1e-9), body(1, -0.05..0.05))
 }
 
-fn manifold(a: &Cuboid, b: &Cuboid, limit: f64, last: Option<SeparatingAxis>) -> Option<Manifold> {
+fn manifold(a: &Cuboid, b: &Cuboid, limit: f64, last: Option<LastAxis>) -> Option<Manifold> {
     let mut found = Manifold::new();
     (box_box(a, b, limit, last, &mut found) == PairStatus::Touching(f64::INFINITY)).then_some(found)
 }
@@ -213,9 +213,27 @@ fn the_axis_of_the_last_detection_stays_while_it_is_nearly_the_best() {
     let b = cuboid(1, [0.02; 3], [0.0, 0.0, 0.0, 1.0], [0.0199, 0.0, 0.01988]);
     let axis = |last| separation(&a, &b, 1e-3, last).unwrap().axis;
     assert_eq!(axis(None), SeparatingAxis::FaceLow(0));
-    assert_eq!(axis(Some(SeparatingAxis::FaceLow(2))), SeparatingAxis::FaceLow(2));
+    let up = Some(LastAxis { axis: SeparatingAxis::FaceLow(2), normal: DVec3::Z });
+    assert_eq!(axis(up), SeparatingAxis::FaceLow(2));
     let c = Cuboid { center: DVec3::new(0.0199, 0.0, 0.0198), ..b };
-    assert_eq!(separation(&a, &c, 1e-3, Some(SeparatingAxis::FaceLow(2))).unwrap().axis, SeparatingAxis::FaceLow(0));
+    assert_eq!(separation(&a, &c, 1e-3, up).unwrap().axis, SeparatingAxis::FaceLow(0));
+}
+
+#[test]
+fn a_box_pressed_beyond_the_middle_of_another_stays_on_its_side() {
+    let a = cuboid(0, [0.1, 0.1, 0.001], [0.0, 0.0, 0.0, 1.0], [0.0; 3]);
+    let pressed = |z: f64| cuboid(1, [0.1, 0.1, 0.001], [0.0, 0.02, 0.01, 1.0], [0.001, 0.0, z]);
+    let mut last = None;
+    for step in 0..15 {
+        let b = pressed(0.001 - 1e-4 * step as f64);
+        let found = separation(&a, &b, 1e-3, last).unwrap();
+        assert!(found.normal.z > 0.99, "step {step}: {found:?}");
+        last = Some(LastAxis { axis: found.axis, normal: found.normal });
+    }
+    // without a last detection the near side is out
+    assert!(separation(&a, &pressed(-4e-4), 1e-3, None).unwrap().normal.z < -0.99);
+    // on the far side, apart, it is a new contact
+    assert!(separation(&a, &pressed(-0.0035), 1.0, last).unwrap().normal.z < -0.99);
 }
 
 #[test]

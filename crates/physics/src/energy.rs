@@ -1,0 +1,119 @@
+//! Mechanical energy of a world.
+
+use glam::DVec3;
+use serde::Serialize;
+
+use crate::body::FLOOR;
+use crate::cluster::Cluster;
+use crate::collision::manifold::{ContactPoint, Manifold};
+use crate::collision::stable_spring::stable_spring;
+use crate::constants::{STRAIN_INERTIA, TANGENTIAL_STIFFNESS};
+use crate::lattice::affine::PARTICLES;
+use crate::lattice::springs::Springs;
+use crate::world::World;
+
+/// Mechanical energy of a world, J.
+///
+/// ```
+/// use teeter_physics::{Params, World};
+///
+/// let mut scene = teeter_scene::named("block").unwrap();
+/// scene.blocks[0].pos[2] += 0.1;
+/// let mut world = World::new(&scene, Params::default())?;
+/// let before = world.energy();
+/// world.run_for(0.1);
+/// let after = world.energy();
+/// // in the air, what is lost in height is gained in speed
+/// assert!(after.kinetic > 0.0 && after.elastic == 0.0);
+/// assert!((after.total() / before.total() - 1.0).abs() < 1e-6);
+/// # Ok::<(), teeter_physics::BuildError>(())
+/// ```
+#[derive(Debug, Clone, Copy, Default, PartialEq, Serialize)]
+pub struct Energy {
+    /// Of the motion of the bodies and of their particles.
+    pub kinetic: f64,
+    /// In gravity, zero where a centre is at the origin.
+    pub potential: f64,
+    /// In the springs of contacts and within blocks.
+    pub elastic: f64,
+}
+
+impl Energy {
+    /// Sum of all three, J.
+    pub fn total(&self) -> f64 {
+        self.kinetic + self.potential + self.elastic
+    }
+}
+
+impl World {
+    /// Mechanical energy of the bodies that can move, and of their contacts.
+    ///
+    /// The velocities of the inner loop are half a substep behind the gaps. The energy of contacts is
+    /// taken at the time of the velocities, or it would seem to change during an impact.
+    pub fn energy(&self) -> Energy {
+        let springs = self.derived.springs.as_ref();
+        self.clusters.list.iter().fold(Energy::default(), |sum, cluster| {
+            let of_bodies = cluster.energy_of_bodies(self.gravity, springs);
+            let contacts: f64 = cluster.contacts.manifolds.iter().map(|m| cluster.contact_energy(m)).sum();
+            Energy {
+                kinetic: sum.kinetic + of_bodies.kinetic,
+                potential: sum.potential + of_bodies.potential,
+                elastic: sum.elastic + of_bodies.elastic + contacts,
+            }
+        })
+    }
+}
+
+impl Cluster {
+    /// Energy of the bodies under `gravity` (m/s²), without that of their contacts.
+    fn energy_of_bodies(&self, gravity: DVec3, springs: Option<&Springs>) -> Energy {
+        let Self { shapes, bodies, particles, .. } = self;
+        let mut energy = Energy::default();
+        for i in (0..bodies.len()).filter(|&i| !bodies.fixed[i] && !bodies.quarantined[i]) {
+            let (mass, velocity, spin) = (shapes.mass[i], bodies.velocity[i], bodies.spin[i]);
+            let rigid = 0.5 * mass * velocity.length_squared() + 0.5 * spin.dot(bodies.inertia(shapes, i) * spin);
+            energy.kinetic += rigid;
+            energy.potential -= mass * gravity.dot(bodies.position[i]);
+            let Some((particles, springs)) = particles.get(i).zip(springs) else { continue };
+            let share = mass / PARTICLES as f64;
+            let moving: f64 = particles.velocity.iter().map(|v| 0.5 * share * v.length_squared()).sum();
+            energy.kinetic += STRAIN_INERTIA * (moving - rigid).max(0.0);
+            energy.elastic += particles.energy(shapes.particles[i], springs);
+        }
+        energy
+    }
+
+    /// Energy in the springs of a contact, J: normal, Maxwell element and tangential.
+    ///
+    /// Where the Maxwell element would pull by more than the spring pushes, the contact exerts no
+    /// force, and its energy is that from which it went slack.
+    fn contact_energy(&self, manifold: &Manifold) -> f64 {
+        let (stiffness, _) = stable_spring(manifold, &self.shapes, &self.bodies);
+        let lag = 0.5 * self.shapes.spring.h;
+        let squares = manifold.points.iter().map(|p| {
+            let gap = p.gap + manifold.free_depth - lag * self.opening_speed(manifold, p);
+            let slack = gap + p.maxwell > 0.0;
+            let normal = match gap < 0.0 {
+                false => return 0.0,
+                true if slack => 0.5 * (gap - p.maxwell) * (gap - p.maxwell),
+                true => gap * gap + p.maxwell * p.maxwell,
+            };
+            p.weight * (normal + TANGENTIAL_STIFFNESS * p.tangential.iter().map(|u| u * u).sum::<f64>())
+        });
+        0.5 * stiffness * squares.sum::<f64>()
+    }
+
+    /// Speed at which the gap of a contact point grows, m/s.
+    fn opening_speed(&self, manifold: &Manifold, point: &ContactPoint) -> f64 {
+        let (_, axes_a) = self.bodies.pose(manifold.a);
+        let velocity = |i: u32, anchor: DVec3| {
+            if i == FLOOR {
+                return DVec3::ZERO;
+            }
+            let (_, axes) = self.bodies.affine(i);
+            self.bodies.velocity[i as usize] + self.bodies.spin[i as usize].cross(axes * anchor)
+        };
+        let normal = manifold.normal_in_world(&self.bodies, axes_a);
+        normal.dot(velocity(manifold.b, point.anchor_b) - velocity(manifold.a, point.anchor_a))
+    }
+}

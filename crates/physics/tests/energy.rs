@@ -1,0 +1,84 @@
+//! Energy: what nobody puts in, no world gains.
+
+mod common;
+
+use common::*;
+use glam::DQuat;
+use proptest::prelude::*;
+use teeter_physics::{Input, World};
+use teeter_scene::{Block, CardsOptions, Form, Scene};
+
+/// Largest growth of the energy in a frame over `seconds`, over the energy at the start.
+fn worst_gain(scene: &Scene, seconds: f64) -> f64 {
+    let mut world = World::new(scene, awake()).unwrap();
+    let start = world.energy().total();
+    let (mut last, mut worst) = (start, 0.0f64);
+    for _ in 0..world.frames(seconds) {
+        let report = world.step(&Input::default());
+        assert!(report.quarantined.is_empty(), "{:?}", report.quarantined);
+        let now = world.energy().total();
+        worst = worst.max(now - last);
+        last = now;
+    }
+    worst / start
+}
+
+/// Up to five blocks of 2 to 100 mm in any orientation above each other, thrown at each other.
+fn heaps() -> impl Strategy<Value = Scene> {
+    let unit = || prop::array::uniform4(-1.0..1.0f64).prop_filter("no direction", |q| q.iter().any(|c| c.abs() > 0.1));
+    let block = (prop::array::uniform3(0.2..1.0f64), unit(), prop::array::uniform3(-1.0..1.0f64), -20.0..20.0f64);
+    let blocks = prop::collection::vec(block, 2..6);
+    let constants = (0.01..0.1f64, 300.0..900.0f64, 0.1..0.8f64, 0.0..0.9f64, 5.5..6.5f64);
+    (blocks, constants, any::<bool>(), 0.0..0.02f64).prop_map(|(blocks, constants, lattice, radius)| {
+        let (base, density, friction, restitution, exponent) = constants;
+        let mut height = 0.0;
+        let blocks = blocks.into_iter().enumerate().map(|(i, (size, orientation, velocity, spin))| {
+            let size = size.map(|edge| base * edge);
+            let reach = 0.51 * (size[0] * size[0] + size[1] * size[1] + size[2] * size[2]).sqrt();
+            height += 2.0 * reach;
+            let position = [0.2 * base * velocity[1], 0.2 * base * velocity[0], height - reach];
+            let orientation = DQuat::from_array(orientation).normalize();
+            let mass = density * size[0] * size[1] * size[2];
+            let [x, y, z] = velocity;
+            Block {
+                orientation: Some(orientation.to_array()),
+                velocity: [x, y, -z.abs()],
+                spin: [spin, 0.0, -spin],
+                ..Block::new(i as u32, size, mass, position)
+            }
+        });
+        let blocks = blocks.collect();
+        let form = if lattice { Form::Lattice } else { Form::Rigid };
+        let (stiffness, edge_radius) = (libm::pow(10.0, exponent), radius * base);
+        Scene { blocks, friction, restitution, stiffness, edge_radius, form, ..one() }
+    })
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(24))]
+
+    #[test]
+    fn heaps_of_blocks_gain_no_energy(scene in heaps()) {
+        let gain = worst_gain(&scene, 0.6);
+        prop_assert!(gain < 1e-3, "{gain:e} in a frame");
+    }
+}
+
+#[test]
+fn a_falling_house_of_cards_is_not_thrown_about() {
+    let mut scene = teeter_scene::cards(5, &CardsOptions::default()).unwrap();
+    scene.friction = 0.1;
+    let gain = worst_gain(&scene, 2.0);
+    assert!(gain < 1e-4, "{gain:e} in a frame");
+}
+
+#[test]
+fn small_blocks_that_meet_deep_inside_each_other_are_not_thrown_apart() {
+    let of = |id, size: [f64; 3], z, yaw| Block { yaw, ..Block::new(id, size, 1e-4, [0.0, 0.0, z]) };
+    let blocks = vec![of(0, [0.0029, 0.0021, 0.0015], 0.0129, 0.0), of(1, [0.0027, 0.0024, 0.0019], 0.0179, 0.7)];
+    for restitution in [0.0, 0.3, 0.57] {
+        let scene = Scene { blocks: blocks.clone(), friction: 0.0, restitution, ..one() };
+        let gain = worst_gain(&scene, 1.0);
+        assert!(gain < 1e-3, "restitution {restitution}: {gain:e} in a frame");
+    }
+}
