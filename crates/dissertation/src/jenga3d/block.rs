@@ -20,6 +20,29 @@ pub const FACES: usize = 12;
 pub const EDGE_CORNERS: [[usize; 2]; EDGES] =
     [[0, 1], [2, 3], [4, 5], [6, 7], [0, 2], [1, 3], [4, 6], [5, 7], [0, 4], [1, 5], [2, 6], [3, 7]];
 
+/// Corners at the ends of each spring: the edges, then all other pairs in ascending order.
+pub const SPRING_CORNERS: [[usize; 2]; SPRINGS] = {
+    let mut springs = [[0; 2]; SPRINGS];
+    let mut count = 0;
+    while count < EDGES {
+        springs[count] = EDGE_CORNERS[count];
+        count += 1;
+    }
+    let mut a = 0;
+    while a < CORNERS {
+        let mut b = a + 1;
+        while b < CORNERS {
+            if (a ^ b).count_ones() > 1 {
+                springs[count] = [a, b];
+                count += 1;
+            }
+            b += 1;
+        }
+        a += 1;
+    }
+    springs
+};
+
 /// Corners of each side, clockwise as seen from outside: -x, +x, -y, +y, -z, +z.
 const SIDES: [[usize; 4]; 6] = [[0, 2, 6, 4], [1, 5, 7, 3], [0, 4, 5, 1], [2, 3, 7, 6], [0, 1, 3, 2], [4, 6, 7, 5]];
 

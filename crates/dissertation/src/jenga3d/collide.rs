@@ -72,10 +72,13 @@ impl Collider {
             }
             counts.sweeps = counts.sweeps.max(sweep);
             if counts.all.collisions == before.collisions {
+                counts.rounds.add_call(sweep, true);
                 return;
             }
         }
+        counts.rounds.add_call(field.constants.max_sweeps, false);
         counts.unresolved += 1;
+        counts.rounds.unresolved_steps = 1;
     }
 
     fn sweep(&mut self, field: &mut Field, counters: &mut Counters) {

@@ -1,8 +1,8 @@
-//! Constants of the simulator (section 5.5.1), all of which an ini file can set. Lengths in m,
-//! masses in kg, times in s.
+//! Constants of the simulator (section 5.5.1), all of which an ini file can set: see the table.
+//! Lengths in m, masses in kg, times in s.
 
 use super::integrate::Scheme;
-use super::options::{Culling, Disabling, HandMode, Method, Order};
+use super::options::{Culling, Disabling, HandMode, Method, Order, SpringSet};
 use super::response::Law;
 use super::static_friction::Coefficients;
 
@@ -32,6 +32,8 @@ pub struct Constants {
     /// Steps of the multi-step Euler method in one of the `mid_loop_count` steps
     /// (`iterationsPerFrame` of appendix 2.1).
     pub iterations_per_frame: u32,
+    /// Springs of a block.
+    pub springs: SpringSet,
     /// Stiffness of every spring, N/m. A block is about six times as stiff along each of its axes.
     pub stiffness: f64,
     /// Damping of every spring, N s/m.
@@ -99,6 +101,7 @@ impl Default for Constants {
             row_spacing: 1e-4,
             method: Method::Multi,
             iterations_per_frame: 2,
+            springs: SpringSet::All,
             stiffness: 1e4,
             damping: 2.0,
             restitution: 0.1,

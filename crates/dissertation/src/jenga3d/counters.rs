@@ -45,6 +45,71 @@ pub fn tests(blocks: u64) -> u64 {
     blocks * blocks.saturating_sub(1) * 168
 }
 
+/// Number of bins of [`Rounds::calls_by_rounds`].
+pub const ROUND_BINS: usize = 10;
+
+/// Rounds over the pairs in the calls of `CollideBlocks`: the "couple of iterations" after which
+/// all collisions are said to be resolved (section 6.2.2).
+///
+/// ```
+/// use teeter_dissertation::jenga3d::{Constants, Jenga3D};
+///
+/// let scene = teeter_scene::named("test-6").expect("the list has it");
+/// let mut simulator = Jenga3D::new(&scene, Constants::default()).expect("a valid scene");
+/// let rounds = simulator.frame(None).rounds;
+/// assert_eq!(rounds.calls, 2 * 160); // two calls in each of the steps (appendix 2.4)
+/// assert_eq!(rounds.unresolved, 0);
+/// ```
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Serialize)]
+pub struct Rounds {
+    /// Number of calls.
+    pub calls: u64,
+    /// Number of rounds in all calls. The last round of a call finds nothing, unless it is at the
+    /// limit.
+    pub total: u64,
+    /// Maximum number of rounds in a call.
+    pub max: u32,
+    /// Calls that ended at the limit of rounds with collisions left.
+    pub unresolved: u64,
+    /// Steps with such a call.
+    pub unresolved_steps: u64,
+    /// Frames with such a call.
+    pub unresolved_frames: u64,
+    /// Number of calls by their rounds: entry i counts those of i + 1 rounds, the last entry those
+    /// of more as well.
+    pub calls_by_rounds: [u64; ROUND_BINS],
+}
+
+impl Rounds {
+    /// Adds a call of a number of rounds.
+    pub fn add_call(&mut self, rounds: u32, resolved: bool) {
+        self.calls += 1;
+        self.total += u64::from(rounds);
+        self.max = self.max.max(rounds);
+        self.unresolved += u64::from(!resolved);
+        self.calls_by_rounds[(rounds as usize).clamp(1, ROUND_BINS) - 1] += 1;
+    }
+
+    /// Mean number of rounds in a call; 0 without calls.
+    pub fn mean(&self) -> f64 {
+        if self.calls == 0 { 0.0 } else { self.total as f64 / self.calls as f64 }
+    }
+}
+
+impl std::ops::AddAssign for Rounds {
+    fn add_assign(&mut self, other: Self) {
+        self.calls += other.calls;
+        self.total += other.total;
+        self.max = self.max.max(other.max);
+        self.unresolved += other.unresolved;
+        self.unresolved_steps += other.unresolved_steps;
+        self.unresolved_frames += other.unresolved_frames;
+        for (sum, n) in self.calls_by_rounds.iter_mut().zip(other.calls_by_rounds) {
+            *sum += n;
+        }
+    }
+}
+
 /// Counters of one step of integrating and colliding.
 ///
 /// ```
@@ -64,4 +129,6 @@ pub struct StepCounts {
     pub sweeps: u32,
     /// Calls that ended with collisions left.
     pub unresolved: u32,
+    /// Rounds of both calls.
+    pub rounds: Rounds,
 }

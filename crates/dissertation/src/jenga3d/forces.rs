@@ -47,7 +47,11 @@ pub fn compute_forces(model: &Model, constants: &Constants, sources: &Sources, s
     // Blocks that stay disabled take no step, so their forces are never read. Appendix 2.4 enables
     // all blocks after this.
     let moving = model.blocks.iter().filter(|block| block.active || constants.disabling != Disabling::Rigid);
-    for spring in moving.flat_map(|block| &model.springs[block.springs as usize..][..SPRINGS]) {
+    let present = constants.springs.mask();
+    for (n, spring) in moving.flat_map(|block| model.springs[block.springs as usize..][..SPRINGS].iter().enumerate()) {
+        if present >> n & 1 == 0 {
+            continue;
+        }
         let (p1, p2) = (spring.p1 as usize, spring.p2 as usize);
         let force = spring.force(&states[p1], &states[p2]);
         states[p2].force += force; // Eq. 4.2b

@@ -2,12 +2,48 @@
 
 use serde::{Deserialize, Serialize};
 
+use super::block::{EDGES, FACE_CORNERS, FACES, SPRING_CORNERS, SPRINGS};
+
+/// Adds the list of an option's values and their names in an ini file. Names after `|` are other
+/// names that are read.
+macro_rules! names {
+    ($type:ident { $($variant:ident = $name:literal $(| $alias:literal)*),+ }) => {
+        impl $type {
+            /// Names in an ini file.
+            pub const NAMES: &'static [&'static str] = &[$($name),+];
+            /// Other names that are read, each with the name that it stands for.
+            pub const ALIASES: &'static [(&'static str, &'static str)] = &[$($(($alias, $name),)*)+];
+            /// All values, in the order of their names.
+            pub const ALL: [Self; Self::NAMES.len()] = [$(Self::$variant),+];
+
+            /// Name in an ini file.
+            pub fn name(self) -> &'static str {
+                match self {
+                    $(Self::$variant => $name),+
+                }
+            }
+
+            /// Returns the value of that name.
+            pub fn from_name(name: &str) -> Option<Self> {
+                Self::ALL.into_iter().find(|value| value.name() == name)
+            }
+        }
+    };
+}
+
+names!(Method { Euler = "euler", Multi = "multistep" | "multi", Midpoint = "midpoint", Rk4 = "rk4" });
+names!(SpringSet { All = "all", Sides = "sides", Faces = "faces" });
+names!(Order { Naive = "naive", BottomUp = "bottom-up", TopDown = "top-down" });
+names!(Culling { None = "none" | "off", Blocks = "blocks", Boxes = "boxes", Planes = "planes" | "on" });
+names!(Disabling { Off = "off", Listed = "listed", Rigid = "rigid-motion" | "rigid" });
+names!(HandMode { Force = "force", Velocity = "velocity", Hybrid = "hybrid" });
+
 /// Integrator (section 4.3.2).
 ///
 /// ```
 /// use teeter_dissertation::jenga3d::Method;
 ///
-/// assert_eq!(Method::ALL.map(Method::name), ["euler", "multi", "midpoint", "rk4"]);
+/// assert_eq!(Method::ALL.map(Method::name), ["euler", "multistep", "midpoint", "rk4"]);
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "lowercase")]
@@ -15,6 +51,7 @@ pub enum Method {
     /// Euler's method, one step over the whole time.
     Euler,
     /// Euler's method in several steps, the one that the simulator uses (section 5.5.2).
+    #[serde(rename = "multistep", alias = "multi")]
     Multi,
     /// Midpoint method.
     Midpoint,
@@ -22,19 +59,59 @@ pub enum Method {
     Rk4,
 }
 
-impl Method {
-    /// All methods.
-    pub const ALL: [Method; 4] = [Method::Euler, Method::Multi, Method::Midpoint, Method::Rk4];
+/// Springs of a block (section 6.3 asks for fewer).
+///
+/// ```
+/// use teeter_dissertation::jenga3d::SpringSet;
+///
+/// assert_eq!(SpringSet::ALL.map(|set| set.mask().count_ones()), [28, 24, 18]);
+/// ```
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "lowercase")]
+pub enum SpringSet {
+    /// Every pair of particles, as in section 4.1.
+    All,
+    /// Edges and both diagonals of each side, without those through the block.
+    Sides,
+    /// Sides of the twelve faces: the edges and one diagonal of each side.
+    ///
+    /// These are as few as hold eight particles in space, 3 x 8 - 6, and they do: a convex
+    /// polyhedron of triangles is rigid (Dehn, 1916).
+    Faces,
+}
 
-    /// Name in an ini file.
-    pub fn name(self) -> &'static str {
-        match self {
-            Method::Euler => "euler",
-            Method::Multi => "multi",
-            Method::Midpoint => "midpoint",
-            Method::Rk4 => "rk4",
+impl SpringSet {
+    /// Mask of the springs of a block that exist, in their order.
+    pub const fn mask(self) -> u32 {
+        let mut mask = 0;
+        let mut n = 0;
+        while n < SPRINGS {
+            let [a, b] = SPRING_CORNERS[n];
+            let present = match self {
+                SpringSet::All => true,
+                SpringSet::Sides => (a ^ b).count_ones() < 3,
+                SpringSet::Faces => n < EDGES || is_third_side(a, b),
+            };
+            if present {
+                mask |= 1 << n;
+            }
+            n += 1;
         }
+        mask
     }
+}
+
+/// Returns true for the diagonal that closes a face.
+const fn is_third_side(a: usize, b: usize) -> bool {
+    let mut face = 0;
+    while face < FACES {
+        let [first, _, third] = FACE_CORNERS[face];
+        if (first == a && third == b) || (first == b && third == a) {
+            return true;
+        }
+        face += 1;
+    }
+    false
 }
 
 /// Order of the pairs of blocks in collision detection (section 3.3.4).
@@ -93,6 +170,7 @@ pub enum Disabling {
     Listed,
     /// By the rigid motion of the block over a time. Disabled blocks stay disabled, take no steps
     /// and are not tested against each other.
+    #[serde(rename = "rigid-motion", alias = "rigid")]
     Rigid,
 }
 

@@ -2,10 +2,12 @@
 
 use teeter_scene::{Scene, SceneError};
 
+use super::block::CORNERS;
 use super::collide::Collider;
+use super::constant::ConstantError;
 use super::constants::Constants;
 use super::contact::{Contact, FLOOR};
-use super::counters::{Counters, StepCounts};
+use super::counters::{Counters, Rounds, StepCounts};
 use super::create::create_block;
 use super::disable::{self, Activity, RestDetector};
 use super::field::Field;
@@ -16,6 +18,7 @@ use super::integrate::Integrator;
 use super::model::Model;
 use super::options::Disabling;
 use super::particle::StateList;
+use super::stability;
 
 /// Error of building a simulator.
 ///
@@ -24,22 +27,22 @@ use super::particle::StateList;
 ///
 /// let scene = teeter_scene::named("block").expect("the list has it");
 /// let error = Jenga3D::new(&scene, Constants { stiffness: -1.0, ..Constants::default() }).unwrap_err();
-/// assert!(matches!(error, BuildError::Constant { field: "stiffness", .. }));
+/// assert!(matches!(error, BuildError::Constant(_)));
+/// assert_eq!(error.to_string(), "`stiffness` is -1, expected a number from 1 to 1e9 N/m");
 /// ```
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 pub enum BuildError {
     /// Invalid scene.
     #[error(transparent)]
     Scene(#[from] SceneError),
-    /// Constant out of its range.
-    #[error("`{field}` is {value}, expected {expected}")]
-    Constant {
-        /// Name of the constant.
-        field: &'static str,
-        /// Value found.
-        value: f64,
-        /// Range expected.
-        expected: &'static str,
+    /// Constant out of its range, or that contradicts another.
+    #[error(transparent)]
+    Constant(#[from] ConstantError),
+    /// Block that never moves, which the method does not have: only the floor is fixed.
+    #[error("block {id}: `fixed` is true, expected false: the method of 2003 has no fixed blocks")]
+    FixedBlock {
+        /// Id of the block.
+        id: u32,
     },
 }
 
@@ -60,10 +63,12 @@ pub struct FrameReport {
     pub tests: Counters,
     /// Maximum number of rounds in a call of `CollideBlocks`.
     pub max_sweeps: u32,
-    /// Number of rounds in all calls.
+    /// Sum over the steps of the maximum number of rounds in a call.
     pub sweeps: u64,
     /// Number of calls that ended with collisions left.
     pub unresolved: u32,
+    /// Rounds of all calls.
+    pub rounds: Rounds,
 }
 
 /// Three-dimensional simulator.
@@ -105,10 +110,16 @@ impl Jenga3D {
     /// constants. Friction and gravity are those of the constants, not of the scene.
     ///
     /// # Errors
-    /// Names the invalid block and field of a scene, or the constant out of its range.
+    /// Names the invalid block and field of a scene, a block that is fixed, or the constant that is
+    /// out of its range or contradicts another.
     pub fn new(scene: &Scene, constants: Constants) -> Result<Self, BuildError> {
         scene.validate()?;
-        validate(&constants)?;
+        if let Some(block) = scene.blocks.iter().find(|block| block.fixed) {
+            return Err(BuildError::FixedBlock { id: block.id });
+        }
+        let min_mass = scene.blocks.iter().map(|block| block.mass).fold(f64::INFINITY, f64::min);
+        constants.check_ranges()?;
+        stability::check(&constants, min_mass / CORNERS as f64)?;
         let (mut model, mut curr) = (Model::default(), StateList::new());
         for block in &scene.blocks {
             let row = ((block.pos[2] - 0.5 * block.size[2]) / block.size[2]).round();
@@ -140,9 +151,11 @@ impl Jenga3D {
             report.max_sweeps = report.max_sweeps.max(counts.sweeps);
             report.sweeps += u64::from(counts.sweeps);
             report.unresolved += counts.unresolved;
+            report.rounds += counts.rounds;
             report.tests += counts.all;
             report.last = counts;
         }
+        report.rounds.unresolved_frames = u64::from(report.unresolved > 0);
         report
     }
 
@@ -244,6 +257,44 @@ impl Jenga3D {
         }
     }
 
+    /// Replaces the constants, those of the springs included; the spacing of the rows belongs to the
+    /// start and has no effect.
+    ///
+    /// # Errors
+    /// Names the constant out of its range, or that contradicts another; nothing is then changed.
+    pub fn set_constants(&mut self, constants: Constants) -> Result<(), ConstantError> {
+        let min_mass = self.model.particles.iter().map(|p| p.mass).fold(f64::INFINITY, f64::min);
+        constants.check_ranges()?;
+        stability::check(&constants, min_mass)?;
+        for spring in &mut self.model.springs {
+            (spring.stiffness, spring.damping) = (constants.stiffness, constants.damping);
+        }
+        if constants.disabling != self.constants.disabling {
+            self.reactivate_all_blocks();
+            self.rest = RestDetector::new(&self.model, &self.curr);
+        }
+        self.constants = constants;
+        Ok(())
+    }
+
+    /// Index of the first block with a position or velocity that is not finite.
+    ///
+    /// The checks of the constants exclude springs that diverge by themselves. They cannot exclude
+    /// every interplay of springs, collisions and hand.
+    pub fn first_non_finite(&self) -> Option<usize> {
+        let finite = |p: usize| self.curr[p].position.is_finite() && self.curr[p].velocity.is_finite();
+        self.model.blocks.iter().position(|block| !block.corners().all(finite))
+    }
+
+    /// Hash of positions, velocities and disabled blocks (XXH3, 64 bits): equal states have equal
+    /// hashes on every target.
+    pub fn hash(&self) -> u64 {
+        let numbers = self.curr.iter().flat_map(|s| [s.position, s.velocity]).flat_map(|v| v.to_array());
+        let mut bytes: Vec<u8> = numbers.flat_map(|x| x.to_bits().to_le_bytes()).collect();
+        bytes.extend(self.model.blocks.iter().map(|block| u8::from(block.active)));
+        xxhash_rust::xxh3::xxh3_64(&bytes)
+    }
+
     /// Sets the velocity (m/s) of all particles of a block and enables it.
     pub fn throw(&mut self, block: usize, velocity: glam::DVec3) {
         let corners = self.model.blocks[block].corners();
@@ -262,24 +313,5 @@ impl Jenga3D {
     /// Height of the highest particle, m.
     pub fn top(&self) -> f64 {
         self.curr.iter().map(|s| s.position.z).fold(f64::NEG_INFINITY, f64::max)
-    }
-}
-
-/// Rejects constants that a step cannot be computed with.
-fn validate(c: &Constants) -> Result<(), BuildError> {
-    let rules: [(&'static str, f64, bool, &'static str); 9] = [
-        ("frame_rate", c.frame_rate, c.frame_rate > 0.0 && c.frame_rate.is_finite(), "a number above 0"),
-        ("mid_loop_count", f64::from(c.mid_loop_count), c.mid_loop_count > 0, "at least 1"),
-        ("iterations_per_frame", f64::from(c.iterations_per_frame), c.iterations_per_frame > 0, "at least 1"),
-        ("gravity", c.gravity, c.gravity.is_finite(), "a number"),
-        ("stiffness", c.stiffness, c.stiffness > 0.0 && c.stiffness.is_finite(), "a number above 0"),
-        ("damping", c.damping, c.damping >= 0.0 && c.damping.is_finite(), "a number of at least 0"),
-        ("restitution", c.restitution, (0.0..=1.0).contains(&c.restitution), "0 to 1"),
-        ("friction", c.friction, c.friction >= 0.0 && c.friction.is_finite(), "a number of at least 0"),
-        ("row_spacing", c.row_spacing, c.row_spacing >= 0.0 && c.row_spacing.is_finite(), "a number of at least 0"),
-    ];
-    match rules.into_iter().find(|(_, _, valid, _)| !valid) {
-        Some((field, value, _, expected)) => Err(BuildError::Constant { field, value, expected }),
-        None => Ok(()),
     }
 }
