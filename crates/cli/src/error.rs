@@ -4,6 +4,7 @@ use std::io;
 use std::process::ExitCode;
 
 use clap::error::ErrorKind;
+use teeter_dissertation::jenga3d::{self, ConstantError, IniError};
 use teeter_physics::BuildError;
 use teeter_report::score::LabelledError;
 use teeter_report::validation::{DataSheetError, RealRowsError};
@@ -59,6 +60,40 @@ pub enum Error {
         /// Cause.
         source: BuildError,
     },
+    /// Scene that the simulator of 2003 cannot build, or constants with which it cannot run.
+    #[error("{name}: {source}")]
+    Dissertation {
+        /// Name of the scene.
+        name: String,
+        /// Cause.
+        source: jenga3d::BuildError,
+    },
+    /// File of constants that is not valid.
+    #[error("{name}, {source}")]
+    Ini {
+        /// Name of the file or stream.
+        name: String,
+        /// Cause.
+        source: IniError,
+    },
+    /// Constant of an option that is unknown or out of its range.
+    #[error(transparent)]
+    Constant(#[from] ConstantError),
+    /// Option that sets no constant.
+    #[error("--set {text}: expected NAME=VALUE, such as stiffness=2e4")]
+    Assignment {
+        /// Text of the option.
+        text: String,
+    },
+    /// Rows for a scene other than the tower.
+    #[error("--rows is that of the scene `tower`, and the scene is {name}")]
+    RowsOfScene {
+        /// Name of the scene.
+        name: String,
+    },
+    /// Standard input for a scene and for constants.
+    #[error("standard input cannot be both the scene and the constants: give the file of one of them")]
+    StdinTwiceIni,
     /// Line of a file of inputs that is not a change.
     #[error("{name}, line {line}: {source}")]
     Inputs {

@@ -3,6 +3,7 @@
 mod arguments;
 mod commands;
 mod error;
+mod fallen;
 mod input;
 mod json_fields;
 mod output;

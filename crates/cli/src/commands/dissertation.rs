@@ -1,5 +1,10 @@
 //! `teeter dissertation`: the simulators and results of the 2003 dissertation.
 
+mod constants;
+mod measurements;
+mod run;
+mod summary;
+
 use std::path::PathBuf;
 
 use clap::builder::PossibleValuesParser;
@@ -19,6 +24,8 @@ pub struct Dissertation {
 
 #[derive(Debug, Subcommand)]
 enum DissertationCommand {
+    /// Simulate a scene by the method of 2003 and report whether it stands.
+    Run(Box<run::Run>),
     /// Run its chapter of results again and write it as a page.
     Report(Report),
 }
@@ -34,10 +41,19 @@ struct Report {
 }
 
 impl Dissertation {
-    /// Writes the report and prints the path of its page.
+    /// Runs the command.
     pub fn run(self) -> Result<(), Error> {
-        let DissertationCommand::Report(report) = self.command;
-        let path = write(&report.out, &report.only)?;
+        match self.command {
+            DissertationCommand::Run(run) => run.run(),
+            DissertationCommand::Report(report) => report.run(),
+        }
+    }
+}
+
+impl Report {
+    /// Writes the report and prints the path of its page.
+    fn run(self) -> Result<(), Error> {
+        let path = write(&self.out, &self.only)?;
         output::line(&path.display().to_string())
     }
 }

@@ -3,10 +3,8 @@
 use serde::Serialize;
 use teeter_scene::Scene;
 
+use crate::fallen;
 use crate::warnings::Warnings;
-
-/// Maximum number of fallen blocks that are named in the text.
-const MAX_NAMED: usize = 10;
 
 /// Report on a run.
 #[derive(Debug, Serialize)]
@@ -45,7 +43,7 @@ impl Report {
         let count = scene.blocks.len();
         let row = |name: &str, value: String| format!("  {name:22} {value}");
         [
-            format!("{}: {}", scene.name, self.result(count)),
+            format!("{}: {}", scene.name, fallen::result(&self.fell, count)),
             row("blocks", format!("{count}, {weight:.2} N in all")),
             row("largest displacement", millimetres(self.max_displacement_mm)),
             row("creep after 2 s", self.creep_mm.map_or("not seen: the run ends before".into(), millimetres)),
@@ -57,20 +55,6 @@ impl Report {
             row("hash", self.hash.clone()),
         ]
         .join("\n")
-    }
-
-    /// Result of a scene of `count` blocks.
-    fn result(&self, count: usize) -> String {
-        match self.fell.as_slice() {
-            [] => "stands".to_owned(),
-            [id] => format!("block {id} fell"),
-            ids if ids.len() == count => format!("all {count} blocks fell"),
-            ids => {
-                let named: Vec<String> = ids.iter().take(MAX_NAMED).map(u32::to_string).collect();
-                let more = if ids.len() > MAX_NAMED { ", ..." } else { "" };
-                format!("{} of {count} blocks fell: {}{more}", ids.len(), named.join(", "))
-            }
-        }
     }
 }
 
