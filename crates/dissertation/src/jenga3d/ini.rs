@@ -104,8 +104,8 @@ impl Constants {
     /// Sets the constants that an ini file sets.
     ///
     /// # Errors
-    /// Names the line of an unknown section or name, of a value out of its range, of a constant that
-    /// is set twice, or of another syntax. The constants before that line are then set.
+    /// Names the line of an unknown section or name, of a value out of its range, of a constant
+    /// that is set twice, or of another syntax. The constants before that line are then set.
     pub fn apply_ini(&mut self, text: &str) -> Result<(), IniError> {
         let mut section: &str = "";
         let mut seen: Vec<(&'static str, usize)> = Vec::new();

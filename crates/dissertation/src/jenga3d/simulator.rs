@@ -257,8 +257,8 @@ impl Jenga3D {
         }
     }
 
-    /// Replaces the constants, those of the springs included; the spacing of the rows belongs to the
-    /// start and has no effect.
+    /// Replaces the constants, those of the springs included; the spacing of the rows belongs to
+    /// the start and has no effect.
     ///
     /// # Errors
     /// Names the constant out of its range, or that contradicts another; nothing is then changed.

@@ -104,8 +104,8 @@ fn divergence(constants: &Constants, mass: f64) -> ConstantError {
     ConstantError::Value { name, value, expected }
 }
 
-/// Maximum of the values from `min` to `high` for which `stable` holds, rounded down; `None` where it
-/// holds for none. Explicit methods need some damping, so that it need not hold at `min`.
+/// Maximum of the values from `min` to `high` for which `stable` holds, rounded down; `None` where
+/// it holds for none. Explicit methods need some damping, so that it need not hold at `min`.
 fn max_stable(min: f64, high: f64, stable: impl Fn(f64) -> bool) -> Option<Value> {
     let mut high = high;
     while high > min && !stable(0.5 * high) {

@@ -32,8 +32,8 @@ pub struct Run {
     seconds: f64,
     #[command(flatten)]
     constants: ConstantArguments,
-    /// Write the constants, each with its unit, range and reason, to this file instead of a run; `-`
-    /// for standard output.
+    /// Write the constants, each with its unit, range and reason, to this file instead of a run;
+    /// `-` for standard output.
     #[arg(long, value_name = "FILE")]
     write_ini: Option<PathBuf>,
     /// Print one JSON object.
