@@ -2,85 +2,75 @@
 //! state and all between.
 
 use glam::DVec3;
+use wide::f64x4;
 
-/// Axis-aligned box.
+/// Axis-aligned box. A register holds a corner, with zero behind its coordinates.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Bounds {
     /// Minimum corner, m.
-    pub min: DVec3,
+    min: f64x4,
     /// Maximum corner, m.
-    pub max: DVec3,
+    max: f64x4,
 }
 
 impl Bounds {
+    /// Box of all space.
+    pub const ALL: Self = Self {
+        min: f64x4::new([f64::NEG_INFINITY, f64::NEG_INFINITY, f64::NEG_INFINITY, 0.0]),
+        max: f64x4::new([f64::INFINITY, f64::INFINITY, f64::INFINITY, 0.0]),
+    };
+
     /// Returns the box of a straight path.
+    #[inline]
     pub fn of_path(from: DVec3, to: DVec3) -> Self {
-        Self { min: from.min(to), max: from.max(to) }
+        let [from, to] = [from, to].map(|v| f64x4::new([v.x, v.y, v.z, 0.0]));
+        Self { min: from.fast_min(to), max: from.fast_max(to) }
     }
 
     /// Returns the box of two boxes.
+    #[inline]
     pub fn union(self, other: Self) -> Self {
-        Self { min: self.min.min(other.min), max: self.max.max(other.max) }
+        Self { min: self.min.fast_min(other.min), max: self.max.fast_max(other.max) }
+    }
+
+    /// Returns the box enlarged on every side by `margin`, m.
+    pub fn enlarged(self, margin: f64) -> Self {
+        let margin = f64x4::new([margin, margin, margin, 0.0]);
+        Self { min: self.min - margin, max: self.max + margin }
+    }
+
+    /// Length of its longest edge, m.
+    pub fn max_extent(&self) -> f64 {
+        (self.max - self.min).to_array().into_iter().fold(0.0, f64::max)
     }
 
     /// Returns true if two boxes share a point.
     #[inline]
     pub fn overlaps(&self, other: &Self) -> bool {
-        // No short circuit between the axes: six comparisons cost less than an unpredictable
-        // branch.
-        (self.min.x <= other.max.x)
-            & (other.min.x <= self.max.x)
-            & (self.min.y <= other.max.y)
-            & (other.min.y <= self.max.y)
-            & (self.min.z <= other.max.z)
-            & (other.min.z <= self.max.z)
+        (self.min.simd_le(other.max) & other.min.simd_le(self.max)).all()
+    }
+
+    /// Returns true if another box lies within.
+    #[inline]
+    pub fn encloses(&self, other: &Self) -> bool {
+        (self.min.simd_le(other.min) & other.max.simd_le(self.max)).all()
     }
 }
 
-/// Boxes of `N` parts of a block, at most sixteen, as structure of arrays, so that one comparison
-/// covers several parts.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct BoundsArray<const N: usize> {
-    min: [[f64; N]; 3],
-    max: [[f64; N]; 3],
+/// Returns a mask of the boxes, at most sixteen, that overlap another.
+#[inline]
+pub fn overlapping(boxes: &[Bounds], with: &Bounds) -> u16 {
+    boxes.iter().enumerate().fold(0, |mask, (n, part)| mask | u16::from(part.overlaps(with)) << n)
 }
 
-impl<const N: usize> BoundsArray<N> {
-    /// Creates the boxes that `of` returns for each part.
-    pub fn new(of: impl Fn(usize) -> Bounds) -> Self {
-        let mut all = Self { min: [[0.0; N]; 3], max: [[0.0; N]; 3] };
-        for n in 0..N {
-            all.set(n, of(n));
-        }
-        all
+/// Returns those boxes of a mask that overlap another.
+#[inline]
+pub fn overlapping_of(mask: u16, boxes: &[Bounds], with: &Bounds) -> u16 {
+    let (mut rest, mut overlapping) = (mask, 0);
+    while rest != 0 {
+        let n = rest.trailing_zeros();
+        rest &= rest - 1;
+        overlapping |= u16::from(boxes[n as usize].overlaps(with)) << n;
     }
-
-    /// Returns the box of a part.
-    #[inline]
-    pub fn get(&self, n: usize) -> Bounds {
-        let corner = |c: &[[f64; N]; 3]| DVec3::new(c[0][n], c[1][n], c[2][n]);
-        Bounds { min: corner(&self.min), max: corner(&self.max) }
-    }
-
-    /// Replaces the box of a part.
-    #[inline]
-    pub fn set(&mut self, n: usize, bounds: Bounds) {
-        for axis in 0..3 {
-            self.min[axis][n] = bounds.min[axis];
-            self.max[axis][n] = bounds.max[axis];
-        }
-    }
-
-    /// Returns a mask of the parts that overlap a box.
-    #[inline]
-    pub fn overlapping(&self, bounds: &Bounds) -> u16 {
-        let mut overlaps = [true; N];
-        for axis in 0..3 {
-            let (low, high) = (bounds.min[axis], bounds.max[axis]);
-            for (overlaps, (min, max)) in overlaps.iter_mut().zip(self.min[axis].iter().zip(&self.max[axis])) {
-                *overlaps &= (*min <= high) & (*max >= low);
-            }
-        }
-        overlaps.iter().enumerate().fold(0, |mask, (n, overlaps)| mask | u16::from(*overlaps) << n)
-    }
+    overlapping
 }

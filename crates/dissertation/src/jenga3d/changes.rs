@@ -31,27 +31,28 @@ impl Changes {
         self.event += 1;
     }
 
-    /// Records a change of one corner at the current event.
-    pub fn mark_corner(&mut self, block: usize, corner: usize) {
+    /// Records a change of some corners of a block, a mask, at the current event.
+    pub fn mark_corners(&mut self, block: usize, corners: u8) {
         self.blocks[block] = self.event;
-        self.corners[block][corner] = self.event;
+        for (corner, event) in self.corners[block].iter_mut().enumerate() {
+            if corners >> corner & 1 == 1 {
+                *event = self.event;
+            }
+        }
     }
 
-    /// Records a change of all corners of a block at the current event.
-    pub fn mark_block(&mut self, block: usize) {
-        self.blocks[block] = self.event;
-        self.corners[block] = [self.event; CORNERS];
-    }
-
-    /// Returns true if neither block has changed after an event.
+    /// Returns true if a block has changed after an event.
     #[inline]
-    pub fn pair_unchanged(&self, a: usize, b: usize, since: u32) -> bool {
-        self.blocks[a].max(self.blocks[b]) <= since
+    pub fn changed(&self, block: usize, since: u32) -> bool {
+        self.blocks[block] > since
     }
 
-    /// Returns true if no given corner of a block has changed after an event.
+    /// Returns a mask of the corners of a block that have changed after an event.
     #[inline]
-    pub fn corners_unchanged<const N: usize>(&self, block: usize, corners: [usize; N], since: u32) -> bool {
-        corners.iter().all(|&c| self.corners[block][c] <= since)
+    pub fn changed_corners(&self, block: usize, since: u32) -> u8 {
+        if since == 0 {
+            return 0xff;
+        }
+        self.corners[block].iter().enumerate().fold(0, |mask, (n, event)| mask | u8::from(*event > since) << n)
     }
 }

@@ -1,20 +1,20 @@
 //! `CollideBlocks`: every pair of blocks, every point with every face and every edge with every
 //! edge (section 5.4, Figure 5.5).
 
-use super::block::{EDGE_CORNERS, FACE_CORNERS};
-use super::bounds::{Bounds, BoundsArray};
+use super::block::CORNERS;
+use super::bounds::{Bounds, overlapping, overlapping_of};
 use super::boxes::BlockBoxes;
 use super::changes::Changes;
 use super::constants::Constants;
-use super::contact::{Contact, Kind};
+use super::contact::Contact;
 use super::counters::{Counters, StepCounts, TESTS_OF_PAIR};
-use super::edge_edge::{self, EdgeEdgeHit};
 use super::field::Field;
 use super::model::Model;
+use super::near::{NearPair, NearPairs, Row, RowKind};
 use super::options::Culling;
-use super::pairs::Pairs;
+use super::part_pair::{EdgeEdge, FaceCorner, PartPair};
 use super::particle::State;
-use super::point_face::{self, PointFaceHit};
+use super::path::Path;
 
 /// Collision detection between blocks, with the boxes and events of the step.
 #[derive(Debug, Clone, Default)]
@@ -23,37 +23,58 @@ pub struct Collider {
     blocks: Vec<Bounds>,
     /// Boxes of the parts of every block.
     boxes: Vec<BlockBoxes>,
-    pairs: Pairs,
+    /// Paths of the corners of every block.
+    paths: Vec<[Path; CORNERS]>,
+    near: NearPairs,
     changes: Changes,
+    /// Event at which the previous round began.
+    previous_round: u32,
 }
 
-/// Two blocks under test, and the event up to which they were tested.
+/// Pass over one kind of parts of a pair of blocks.
 #[derive(Debug, Clone, Copy)]
-struct Pair {
-    a: usize,
-    b: usize,
-    since: u32,
-    /// Culling of the corners of `a`.
-    corners: Culling,
+struct Pass {
+    pair: NearPair,
+    /// Version of the list of pairs from which the pair is.
+    version: u32,
+    kind: RowKind,
+    /// Blocks of the outer and of the inner loop.
+    blocks: [usize; 2],
+    /// Culling of the inner parts.
+    inner: Culling,
+}
+
+/// Parts that a pass tests: as in Figure 5.5, the outer ones overlap the other block at its start,
+/// the inner ones at the start of their loop.
+#[derive(Debug, Clone, Copy)]
+struct Parts {
+    outer: u16,
+    inner: u16,
+    /// Event up to which `inner` holds.
+    event: u32,
 }
 
 impl Collider {
     /// Starts a step: computes the boxes of all paths and marks every pair as untested.
     pub fn begin(&mut self, model: &Model, constants: &Constants, curr: &[State], next: &[State]) {
-        self.boxes.clear();
-        self.boxes.extend(model.blocks.iter().map(|b| BlockBoxes::new(&curr[b.corners()], &next[b.corners()])));
+        self.boxes.resize(model.blocks.len(), BlockBoxes::ALL);
+        self.paths.clear();
         self.blocks.clear();
-        self.blocks.extend(self.boxes.iter().map(BlockBoxes::block));
-        self.pairs.reset(model, constants.order, curr);
+        for (boxes, block) in self.boxes.iter_mut().zip(&model.blocks) {
+            let (curr, next) = (&curr[block.corners()], &next[block.corners()]);
+            boxes.update_corners(0xff, curr, next);
+            self.paths.push(paths(curr, next));
+            self.blocks.push(boxes.block());
+        }
+        self.near.begin(&self.boxes, constants, |block| model.blocks[block].centre(curr).z);
         self.changes.reset(model.blocks.len());
+        self.previous_round = 0;
     }
 
     /// Updates a block whose next states were changed elsewhere.
     pub fn update_block(&mut self, block: usize, curr: &[State], next: &[State]) {
-        self.boxes[block] = BlockBoxes::new(curr, next);
-        self.blocks[block] = self.boxes[block].block();
         self.changes.advance();
-        self.changes.mark_block(block);
+        self.update_corners(block, 0xff, curr, next);
     }
 
     /// Tests all pairs in rounds until one finds no collision, and appends the contacts.
@@ -62,13 +83,7 @@ impl Collider {
             let before = counts.all;
             self.sweep(field, &mut counts.all);
             if sweep == 1 {
-                let mut first = counts.all;
-                first.potential -= before.potential;
-                first.after_blocks -= before.after_blocks;
-                first.after_boxes -= before.after_boxes;
-                first.after_planes -= before.after_planes;
-                first.collisions -= before.collisions;
-                counts.first += first;
+                counts.first += counts.all.since(&before);
             }
             counts.sweeps = counts.sweeps.max(sweep);
             if counts.all.collisions == before.collisions {
@@ -83,173 +98,192 @@ impl Collider {
 
     fn sweep(&mut self, field: &mut Field, counters: &mut Counters) {
         let culling = field.constants.culling;
-        for n in 0..self.pairs.len() {
-            let [a, b] = self.pairs.blocks(n);
+        counters.potential += TESTS_OF_PAIR * self.count_pairs(field);
+        self.previous_round = self.changes.event();
+        let mut n = 0;
+        while n < self.near.len() {
+            let pair = self.near.pair(n);
+            let [a, b] = pair.blocks.map(|block| block as usize);
+            n += 1;
             let mut since = 0;
             if field.constants.skip_unchanged {
-                since = self.pairs.tested(n);
-                if self.changes.pair_unchanged(a, b, since) {
+                since = pair.tested;
+                if !self.changes.changed(a, since) && !self.changes.changed(b, since) {
                     continue;
                 }
-                self.pairs.set_tested(n, self.changes.event());
+                self.near.set_tested(n - 1, self.changes.event());
             }
             if !field.model.blocks[a].active && !field.model.blocks[b].active {
                 continue;
             }
-            counters.potential += TESTS_OF_PAIR;
+            counters.near += TESTS_OF_PAIR;
             if culling >= Culling::Blocks && !self.blocks[a].overlaps(&self.blocks[b]) {
                 continue;
             }
             counters.after_blocks += TESTS_OF_PAIR;
+            let version = self.near.version();
+            let pair = pair.tested_up_to(since);
             let listed = if field.constants.listed_boxes { culling.min(Culling::Blocks) } else { culling };
-            self.points_and_faces(Pair { a, b, since, corners: listed }, field, counters);
-            self.points_and_faces(Pair { a: b, b: a, since, corners: culling }, field, counters);
-            self.edges(Pair { a, b, since, corners: culling }, field, counters);
-        }
-    }
-
-    /// Tests the corners of block `a` with the faces of block `b`, where either has changed.
-    fn points_and_faces(&mut self, pair: Pair, field: &mut Field, counters: &mut Counters) {
-        let Pair { a, b, since, corners: corner_culling } = pair;
-        let [first_a, first_b] = [a, b].map(|block| field.model.blocks[block].particles as usize);
-        let mut faces = self.overlapping(|parts| &parts.faces, b, a, field.constants.culling);
-        let overlapping_corners = |it: &Self| it.overlapping(|parts| &parts.corners, a, b, corner_culling);
-        let (mut all_corners, mut event) = (overlapping_corners(self), self.changes.event());
-        while let Some(n) = pop_lowest(&mut faces) {
-            let face = FACE_CORNERS[n].map(|c| first_b + c);
-            let face_unchanged = self.changes.corners_unchanged(b, FACE_CORNERS[n], since);
-            if self.changes.event() != event {
-                // A collision may have enlarged the boxes.
-                (all_corners, event) = (overlapping_corners(self), self.changes.event());
-            }
-            let mut corners = all_corners;
-            while let Some(corner) = pop_lowest(&mut corners) {
-                if face_unchanged && self.changes.corners_unchanged(a, [corner], since) {
-                    continue;
-                }
-                let face_box = self.boxes[b].faces.get(n);
-                if corner_culling >= Culling::Boxes && !face_box.overlaps(&self.boxes[a].corners.get(corner)) {
-                    continue;
-                }
-                let particle = first_a + corner;
-                if let Some(hit) = test_point_face(particle, face, field, counters) {
-                    let [w1, w2, w3] = hit.weights;
-                    let contact = Contact {
-                        kind: Kind::ParticleFace(particle as u32, field.model.blocks[b].faces + n as u32),
-                        blocks: [a as u32, b as u32],
-                        particles: [particle as u32, face[0] as u32, face[1] as u32, face[2] as u32],
-                        weights: [1.0, -w1, -w2, -w3],
-                        normal: hit.normal,
-                        normal_force: 0.0,
-                    };
-                    self.respond(field, contact);
-                }
+            let pass = Pass { pair, version, kind: RowKind::FacesOfSecond, blocks: [b, a], inner: listed };
+            self.test_parts::<FaceCorner>(pass, field, counters);
+            let pass = Pass { kind: RowKind::FacesOfFirst, blocks: [a, b], inner: culling, ..pass };
+            self.test_parts::<FaceCorner>(pass, field, counters);
+            self.test_parts::<EdgeEdge>(Pass { kind: RowKind::Edges, ..pass }, field, counters);
+            if self.near.version() != version {
+                n = self.near.index_after(&pair);
             }
         }
     }
 
-    /// Tests the edges of block `a` with those of block `b`, where either has changed.
-    fn edges(&mut self, pair: Pair, field: &mut Field, counters: &mut Counters) {
-        let Pair { a, b, since, .. } = pair;
-        let culling = field.constants.culling;
-        let [first_a, first_b] = [a, b].map(|block| field.model.blocks[block].particles as usize);
-        let mut edges_a = self.overlapping(|parts| &parts.edges, a, b, culling);
-        let overlapping_edges = |it: &Self| it.overlapping(|parts| &parts.edges, b, a, culling);
-        let (mut all_edges_b, mut event) = (overlapping_edges(self), self.changes.event());
-        while let Some(n) = pop_lowest(&mut edges_a) {
-            let edge_a = EDGE_CORNERS[n].map(|c| first_a + c);
-            let edge_unchanged = self.changes.corners_unchanged(a, EDGE_CORNERS[n], since);
-            if self.changes.event() != event {
-                (all_edges_b, event) = (overlapping_edges(self), self.changes.event());
+    /// Number of pairs, near or not, with an enabled block and, where unchanged ones are skipped, a
+    /// block that has changed since the previous round began.
+    fn count_pairs(&self, field: &Field) -> u64 {
+        let (mut both, mut enabled, mut changed, mut neither) = (0u64, 0u64, 0u64, 0u64);
+        for (n, block) in field.model.blocks.iter().enumerate() {
+            let has_changed = !field.constants.skip_unchanged || self.changes.changed(n, self.previous_round);
+            match (block.active, has_changed) {
+                (true, true) => both += 1,
+                (true, false) => enabled += 1,
+                (false, true) => changed += 1,
+                (false, false) => neither += 1,
             }
-            let mut edges_b = all_edges_b;
-            while let Some(m) = pop_lowest(&mut edges_b) {
-                if edge_unchanged && self.changes.corners_unchanged(b, EDGE_CORNERS[m], since) {
+        }
+        both * both.saturating_sub(1) / 2 + both * (enabled + changed + neither) + enabled * changed
+    }
+
+    /// Tests the listed parts of a pair of blocks of which one has changed.
+    ///
+    /// Figure 5.5 compares each part with the other block before it compares parts. While a pass
+    /// has found nothing, parts that overlap do overlap the other block as well; a collision may
+    /// enlarge boxes, and from then on those comparisons count.
+    fn test_parts<P: PartPair>(&mut self, pass: Pass, field: &mut Field, counters: &mut Counters) {
+        let mut version = pass.version;
+        let mut rows = self.near.rows_of(&pass.pair, pass.kind, version);
+        version = self.near.version();
+        let are_boxed = pass.inner >= Culling::Boxes;
+        let mut parts = (!are_boxed && field.constants.culling >= Culling::Boxes).then(|| self.parts::<P>(&pass));
+        let mut changed = self.changed_corners(&pass);
+        while !rows.is_empty() {
+            let mut row = self.near.row(rows.start);
+            rows.start += 1;
+            if let Some(parts) = &mut parts {
+                if parts.outer >> row.part & 1 == 0 {
                     continue;
                 }
-                let edge_box = self.boxes[a].edges.get(n);
-                if culling >= Culling::Boxes && !edge_box.overlaps(&self.boxes[b].edges.get(m)) {
-                    continue;
+                self.update_inner::<P>(parts, &pass);
+                row.others &= parts.inner;
+            }
+            let outer_changed = P::OUTER_CORNERS[usize::from(row.part)] & changed[0] != 0;
+            loop {
+                let others = if outer_changed { u16::MAX } else { P::inner_of(changed[1]) };
+                let tested = Row { others: row.others & others, ..row };
+                let Some((inner, contact)) = self.first_contact::<P>(&pass, tested, field, counters) else { break };
+                if field.constants.culling >= Culling::Boxes {
+                    let parts = parts.get_or_insert_with(|| self.parts::<P>(&pass));
+                    row.others &= parts.inner;
                 }
-                let edge_b = EDGE_CORNERS[m].map(|c| first_b + c);
-                if let Some(hit) = test_edges(edge_a, edge_b, field, counters) {
-                    let [spring_a, spring_b] = [(a, n), (b, m)].map(|(k, e)| field.model.blocks[k].springs + e as u32);
-                    let contact = Contact {
-                        kind: Kind::EdgeEdge(spring_a, spring_b),
-                        blocks: [b as u32, a as u32],
-                        particles: [edge_b[0] as u32, edge_b[1] as u32, edge_a[0] as u32, edge_a[1] as u32],
-                        weights: [1.0 - hit.mu_2, hit.mu_2, hit.mu_1 - 1.0, -hit.mu_1],
-                        normal: hit.normal,
-                        normal_force: 0.0,
-                    };
-                    self.respond(field, contact);
+                row.others &= !1 << inner;
+                self.respond(field, contact);
+                changed = self.changed_corners(&pass);
+                if self.near.version() != version {
+                    // The list has changed: go on behind the parts at hand.
+                    rows = self.near.rows_of(&pass.pair, pass.kind, version);
+                    version = self.near.version();
+                    let of_part = rows.clone().find(|index| self.near.row(*index).part == row.part);
+                    row.others &= of_part.map_or(0, |index| self.near.row(index).others);
+                    rows.start = rows.clone().find(|index| self.near.row(*index).part > row.part).unwrap_or(rows.end);
                 }
             }
         }
     }
 
-    /// Returns a mask of the parts of block `of` that overlap the box of block `with`; all of them
-    /// where culling stops before the boxes of parts.
-    #[inline]
-    fn overlapping<const N: usize>(
+    /// Returns the first contact of a part with the others of a row, and the index of the other.
+    fn first_contact<P: PartPair>(
         &self,
-        parts: impl Fn(&BlockBoxes) -> &BoundsArray<N>,
-        of: usize,
-        with: usize,
-        culling: Culling,
-    ) -> u16 {
-        if culling < Culling::Boxes {
-            return (1 << N) - 1;
+        pass: &Pass,
+        row: Row,
+        field: &Field,
+        counters: &mut Counters,
+    ) -> Option<(usize, Contact)> {
+        let [outer_block, inner_block] = pass.blocks;
+        let part = usize::from(row.part);
+        let mut others = row.others;
+        if pass.inner >= Culling::Boxes {
+            let outer = &P::outer_boxes(&self.boxes[outer_block])[part];
+            others = overlapping_of(others, P::inner_boxes(&self.boxes[inner_block]), outer);
         }
-        parts(&self.boxes[of]).overlapping(&self.blocks[with])
+        if others == 0 {
+            return None;
+        }
+        let planes = field.constants.culling >= Culling::Planes;
+        let (outer, corners) = (P::outer(&self.paths[outer_block], part), &self.paths[inner_block]);
+        while others != 0 {
+            let inner = others.trailing_zeros() as usize;
+            others &= others - 1;
+            counters.after_boxes += 1;
+            let distance = P::distance(&outer, corners, inner);
+            if planes && !distance.may_have_root() {
+                continue;
+            }
+            counters.after_planes += 1;
+            if let Some(contact) = P::contact(field, pass.blocks, [part, inner], &distance) {
+                counters.collisions += 1;
+                return Some((inner, contact));
+            }
+        }
+        None
+    }
+
+    /// Returns the parts that overlap the other block.
+    fn parts<P: PartPair>(&self, pass: &Pass) -> Parts {
+        let [outer_block, inner_block] = pass.blocks;
+        let outer = overlapping(P::outer_boxes(&self.boxes[outer_block]), &self.blocks[inner_block]);
+        let mut parts = Parts { outer, inner: u16::MAX, event: 0 };
+        self.update_inner::<P>(&mut parts, pass);
+        parts
+    }
+
+    /// Updates the inner parts if a collision may have enlarged boxes.
+    fn update_inner<P: PartPair>(&self, parts: &mut Parts, pass: &Pass) {
+        if parts.event != self.changes.event() && pass.inner >= Culling::Boxes {
+            let [outer_block, inner_block] = pass.blocks;
+            parts.inner = overlapping(P::inner_boxes(&self.boxes[inner_block]), &self.blocks[outer_block]);
+        }
+        parts.event = self.changes.event();
+    }
+
+    /// Returns masks of the corners of both blocks that have changed since the test of the pair.
+    #[inline]
+    fn changed_corners(&self, pass: &Pass) -> [u8; 2] {
+        pass.blocks.map(|block| self.changes.changed_corners(block, pass.pair.tested))
     }
 
     /// Resolves a contact and updates the boxes of its particles.
     fn respond(&mut self, field: &mut Field, contact: Contact) {
         field.respond(contact);
         self.changes.advance();
-        for (p, _) in contact.parts() {
-            let block = field.model.particles[p].block as usize;
-            let corner = p - field.model.blocks[block].particles as usize;
-            self.boxes[block].update_corner(corner, &field.curr[p], &field.next[p]);
-            self.blocks[block] = self.boxes[block].block();
-            self.changes.mark_corner(block, corner);
+        for block in contact.blocks {
+            let corners = field.model.blocks[block as usize].corners();
+            let of_block = contact.parts().filter(|(p, _)| corners.contains(p));
+            let changed = of_block.fold(0, |mask, (p, _)| mask | 1u8 << (p - corners.start));
+            self.update_corners(block as usize, changed, &field.curr[corners.clone()], &field.next[corners]);
         }
     }
-}
 
-/// Tests a particle against a face: planes first, then the roots of the cubic.
-fn test_point_face(particle: usize, face: [usize; 3], field: &Field, counters: &mut Counters) -> Option<PointFaceHit> {
-    counters.after_boxes += 1;
-    let (point, corners) = (field.path(particle), face.map(|i| field.path(i)));
-    let distance = point_face::distance(&point, &corners);
-    if field.constants.culling >= Culling::Planes && !distance.may_have_root() {
-        return None;
+    /// Updates the boxes of a block after a change of some corners, a mask.
+    fn update_corners(&mut self, block: usize, changed: u8, curr: &[State], next: &[State]) {
+        self.boxes[block].update_corners(changed, curr, next);
+        for n in (0..CORNERS).filter(|n| changed >> n & 1 == 1) {
+            self.paths[block][n] = Path::between(curr[n].position, next[n].position);
+        }
+        self.blocks[block] = self.boxes[block].block();
+        self.changes.mark_corners(block, changed);
+        self.near.update(block, changed, &self.boxes);
     }
-    counters.after_planes += 1;
-    let hit = point_face::first_hit(&distance, &point, &corners, field.constants.tolerance)?;
-    counters.collisions += 1;
-    Some(hit)
 }
 
-/// Tests two edges: lines first, then the roots of the cubic.
-fn test_edges(edge_a: [usize; 2], edge_b: [usize; 2], field: &Field, counters: &mut Counters) -> Option<EdgeEdgeHit> {
-    counters.after_boxes += 1;
-    let (ends_a, ends_b) = (edge_a.map(|i| field.path(i)), edge_b.map(|i| field.path(i)));
-    let distance = edge_edge::distance(&ends_a, &ends_b);
-    if field.constants.culling >= Culling::Planes && !distance.may_have_root() {
-        return None;
-    }
-    counters.after_planes += 1;
-    let hit = edge_edge::first_hit(&distance, &ends_a, &ends_b, field.constants.tolerance)?;
-    counters.collisions += 1;
-    Some(hit)
-}
-
-/// Removes and returns the lowest bit of a mask.
+/// Returns the paths of the corners of a block.
 #[inline]
-fn pop_lowest(mask: &mut u16) -> Option<usize> {
-    let lowest = (*mask != 0).then(|| mask.trailing_zeros() as usize);
-    *mask &= mask.wrapping_sub(1);
-    lowest
+fn paths(curr: &[State], next: &[State]) -> [Path; CORNERS] {
+    std::array::from_fn(|n| Path::between(curr[n].position, next[n].position))
 }

@@ -16,6 +16,8 @@ pub struct Counters {
     /// Before any test: 336 a pair of blocks, 8 x 12 points and faces in both directions and 12 x
     /// 12 edges.
     pub potential: u64,
+    /// Those of pairs whose boxes are compared: cached pairs that cannot meet are not.
+    pub near: u64,
     /// After the boxes of blocks.
     pub after_blocks: u64,
     /// After the boxes of faces, edges and particles.
@@ -29,10 +31,25 @@ pub struct Counters {
 impl std::ops::AddAssign for Counters {
     fn add_assign(&mut self, other: Self) {
         self.potential += other.potential;
+        self.near += other.near;
         self.after_blocks += other.after_blocks;
         self.after_boxes += other.after_boxes;
         self.after_planes += other.after_planes;
         self.collisions += other.collisions;
+    }
+}
+
+impl Counters {
+    /// Returns the counts since earlier ones.
+    pub fn since(&self, earlier: &Self) -> Self {
+        Self {
+            potential: self.potential - earlier.potential,
+            near: self.near - earlier.near,
+            after_blocks: self.after_blocks - earlier.after_blocks,
+            after_boxes: self.after_boxes - earlier.after_boxes,
+            after_planes: self.after_planes - earlier.after_planes,
+            collisions: self.collisions - earlier.collisions,
+        }
     }
 }
 

@@ -10,6 +10,7 @@ use super::hand::UserForce;
 use super::model::Model;
 use super::options::Disabling;
 use super::particle::State;
+use super::spring_lanes::{self, Present};
 
 /// Inputs of the forces of a step, besides model, constants and states.
 ///
@@ -47,15 +48,9 @@ pub fn compute_forces(model: &Model, constants: &Constants, sources: &Sources, s
     // Blocks that stay disabled take no step, so their forces are never read. Appendix 2.4 enables
     // all blocks after this.
     let moving = model.blocks.iter().filter(|block| block.active || constants.disabling != Disabling::Rigid);
-    let present = constants.springs.mask();
-    for (n, spring) in moving.flat_map(|block| model.springs[block.springs as usize..][..SPRINGS].iter().enumerate()) {
-        if present >> n & 1 == 0 {
-            continue;
-        }
-        let (p1, p2) = (spring.p1 as usize, spring.p2 as usize);
-        let force = spring.force(&states[p1], &states[p2]);
-        states[p2].force += force; // Eq. 4.2b
-        states[p1].force -= force; // Eq. 4.2b
+    let present = Present::of(constants.springs);
+    for block in moving {
+        spring_lanes::add_forces(&model.springs[block.springs as usize..][..SPRINGS], &present, states);
     }
     friction::add(model, constants, sources.contacts, sources.time, states);
 }

@@ -83,23 +83,33 @@ pub enum SpringSet {
 impl SpringSet {
     /// Mask of the springs of a block that exist, in their order.
     pub const fn mask(self) -> u32 {
-        let mut mask = 0;
-        let mut n = 0;
-        while n < SPRINGS {
-            let [a, b] = SPRING_CORNERS[n];
-            let present = match self {
-                SpringSet::All => true,
-                SpringSet::Sides => (a ^ b).count_ones() < 3,
-                SpringSet::Faces => n < EDGES || is_third_side(a, b),
-            };
-            if present {
-                mask |= 1 << n;
-            }
-            n += 1;
+        match self {
+            SpringSet::All => ALL_SPRINGS,
+            SpringSet::Sides => PARTIAL[0],
+            SpringSet::Faces => PARTIAL[1],
         }
-        mask
     }
 }
+
+/// Mask of all springs.
+const ALL_SPRINGS: u32 = (1 << SPRINGS) - 1;
+
+/// Masks of the springs in the sides, and of those that are sides of faces.
+const PARTIAL: [u32; 2] = {
+    let (mut sides, mut faces) = (0, 0);
+    let mut n = 0;
+    while n < SPRINGS {
+        let [a, b] = SPRING_CORNERS[n];
+        if (a ^ b).count_ones() < 3 {
+            sides |= 1 << n;
+        }
+        if n < EDGES || is_third_side(a, b) {
+            faces |= 1 << n;
+        }
+        n += 1;
+    }
+    [sides, faces]
+};
 
 /// Returns true for the diagonal that closes a face.
 const fn is_third_side(a: usize, b: usize) -> bool {

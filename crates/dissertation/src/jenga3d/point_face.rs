@@ -29,18 +29,44 @@ pub struct PointFaceHit {
     pub weights: [f64; 3],
 }
 
+/// Normal of a moving face as a function of time, c2 + c3 t + c1 t² (appendix 1.1), and the path of
+/// its first corner: what the distances of all points from its plane have in common.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct MovingPlane {
+    origin: Path,
+    c1: DVec3,
+    c2: DVec3,
+    c3: DVec3,
+}
+
+impl MovingPlane {
+    /// Plane of a face.
+    ///
+    /// Appendix 1.1, with the second and third corner exchanged as in [`normal`].
+    #[inline]
+    pub fn new(face: &[Path; 3]) -> Self {
+        let [f1, f3, f2] = face;
+        let (a1, a2) = (f2.start - f1.start, f3.start - f1.start);
+        let (d1, d2) = (f2.step - f1.step, f3.step - f1.step);
+        let (c1, c2) = (d1.cross(d2), a1.cross(a2));
+        Self { origin: *f1, c1, c2, c3: d1.cross(a2) + a1.cross(d2) }
+    }
+
+    /// Distance of a point as a function of time (Eq. 4.10): positive in front, scaled by the
+    /// normal.
+    #[inline]
+    pub fn distance(&self, point: &Path) -> Cubic {
+        let Self { origin, c1, c2, c3 } = *self;
+        let (a3, d3) = (point.start - origin.start, point.step - origin.step);
+        Cubic { a: d3.dot(c1), b: a3.dot(c1) + d3.dot(c3), c: a3.dot(c3) + d3.dot(c2), d: a3.dot(c2) }
+    }
+}
+
 /// Distance of the point from the plane of the face as a function of time (Eq. 4.10): positive in
 /// front, scaled by the normal.
-///
-/// Appendix 1.1, with the second and third corner exchanged as in [`normal`].
 #[inline]
 pub fn distance(point: &Path, face: &[Path; 3]) -> Cubic {
-    let [f1, f3, f2] = face;
-    let (a1, a2, a3) = (f2.start - f1.start, f3.start - f1.start, point.start - f1.start);
-    let (d1, d2, d3) = (f2.step - f1.step, f3.step - f1.step, point.step - f1.step);
-    let (c1, c2) = (d1.cross(d2), a1.cross(a2));
-    let c3 = d1.cross(a2) + a1.cross(d2);
-    Cubic { a: d3.dot(c1), b: a3.dot(c1) + d3.dot(c3), c: a3.dot(c3) + d3.dot(c2), d: a3.dot(c2) }
+    MovingPlane::new(face).distance(point)
 }
 
 /// Returns true if the point is in front of the plane at the start and behind it at the end.
