@@ -71,31 +71,62 @@ proptest! {
     }
 }
 
-/// Consequences of the printed forms of Eq. 2.10, 4.13 and 4.15.
-#[test]
-fn the_printed_signs_are_wrong() {
-    // An elastic collision without an impulse contradicts Eq. 2.11.
-    let printed = |e: f64, v: f64| -(1.0 - e) * v;
-    assert_eq!(printed(1.0, -1.0), 0.0);
-    // Between equal masses the printed impulse is right for a plastic collision only; others keep e
-    // v instead of -e v.
-    let after = |e: f64| -1.0 + printed(e, -1.0);
-    assert_eq!(after(0.0), 0.0);
-    assert_eq!(after(0.5), -0.5);
-    // A contact at p2: b is p2, so mu_b of Eq. 4.15 is |p2 - p3| / |p2 - p3| = 1 and mu_a is 1; Eq.
-    // 4.16 then loads p3 alone.
-    let (mu_a, mu_b) = (1.0, 1.0);
-    assert_eq!([1.0 - mu_a, (1.0 - mu_b) * mu_a, mu_a * mu_b], [0.0, 0.0, 1.0]);
-    let [p1, p2, p3] = [DVec3::ZERO, DVec3::X, DVec3::Y];
-    assert_eq!(weights(p2, p1, p2, p3), [0.0, 1.0, 0.0]);
+/// Point that meets the middle of a face, both of unit masses, at unit speed along z.
+fn middle_of_a_face(restitution: f64) -> (f64, f64) {
+    let third = 1.0 / 3.0;
+    let contact = Contact {
+        kind: Kind::ParticleFace(0, 0),
+        blocks: [0, 1],
+        particles: [0, 1, 2, 3],
+        weights: [1.0, -third, -third, -third],
+        normal: DVec3::Z,
+        normal_force: 0.0,
+    };
+    let particles = [Particle { mass: 1.0, block: 0 }; 4];
+    let curr = [State::default(); 4];
+    let mut next = curr;
+    next[0].velocity = -DVec3::Z;
+    let law = Law { restitution, friction: None };
+    let impulse = respond(&contact, &law, Step { particles: &particles, curr: &curr, next: &mut next }, |_| true);
+    (impulse, contact.velocity(&next).z)
 }
 
-/// Masses of single particles, as Eq. 4.13 reads, leave a third of the approach at the middle of a
-/// face.
+/// Eq. 2.10 and 4.13 have the factor 1 - e in print, by which an elastic collision would have no
+/// impulse, and only a plastic one would satisfy Eq. 2.11.
+#[test]
+fn the_impulse_grows_with_restitution() {
+    for e in [0.0, 0.25, 0.5, 1.0] {
+        let (impulse, after) = middle_of_a_face(e);
+        // The inverse mass is 1 + 3 / 9.
+        let plastic = 1.0 / (4.0 / 3.0);
+        assert!((impulse - (1.0 + e) * plastic).abs() < 1e-14, "{e}: {impulse}");
+        assert!((after - e).abs() < 1e-14, "{e}: {after}");
+        let printed = (1.0 - e) * plastic;
+        assert!(e == 0.0 || (impulse - printed).abs() > 0.1, "{e}");
+    }
+}
+
+/// A contact at p2 loads p2 alone. Eq. 4.15 measures mu_b from p3 in print, by which Eq. 4.16 would
+/// load p3.
+#[test]
+fn a_contact_at_a_corner_loads_that_corner() {
+    let corners = [DVec3::ZERO, DVec3::X, DVec3::Y];
+    let [p1, p2, p3] = corners;
+    for (n, corner) in corners.into_iter().enumerate() {
+        let mut expected = [0.0; 3];
+        expected[n] = 1.0;
+        assert_eq!(weights(corner, p1, p2, p3), expected);
+    }
+    assert_eq!(weights(0.25 * p2 + 0.5 * p3, p1, p2, p3), [0.25, 0.25, 0.5]);
+}
+
+/// With the masses of single particles, as Eq. 4.13 reads, a third of the approach would remain at
+/// the middle of a face: the mass is that of the contact point.
 #[test]
 fn the_mass_is_that_of_the_point() {
-    let third = 1.0f64 / 3.0;
-    let j = 1.0 / (1.0 + 1.0f64);
-    let approach_left = 1.0 - j * (1.0 + 3.0 * third * third);
-    assert!((approach_left - third).abs() < 1e-15);
+    let (impulse, after) = middle_of_a_face(0.0);
+    assert!((impulse - 0.75).abs() < 1e-15 && after.abs() < 1e-15, "{impulse} {after}");
+    let single = 1.0 / (1.0 + 1.0);
+    let left = 1.0 - single * (1.0 + 3.0 / 9.0);
+    assert!((left - 1.0 / 3.0f64).abs() < 1e-15 && (after + 1.0 - left).abs() > 0.5);
 }

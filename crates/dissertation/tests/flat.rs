@@ -8,6 +8,8 @@ use proptest::prelude::*;
 use teeter_dissertation::flat::axes::{self, Tester};
 use teeter_dissertation::flat::body::Body;
 use teeter_dissertation::flat::lcp::{self, LcpError};
+use teeter_dissertation::flat::manifold::Point;
+use teeter_dissertation::flat::resting::{self, Contact};
 use teeter_dissertation::flat::rigid::{Constants, Report};
 use teeter_dissertation::flat::scene::{Rectangle, apart, section, stack};
 use teeter_dissertation::flat::{Detection, Method, Rigid2D, Springs2D, springs};
@@ -245,5 +247,81 @@ fn collisions_in_flight_conserve_momentum() {
             assert!(hits > 0, "{method:?}");
             assert!(restitution == 1.0 || last < 0.99 * first);
         }
+    }
+}
+
+/// A block that slides on the floor stops after v² / (2 mu g) with every method that has friction:
+/// springs, penalty and micro-collisions.
+#[test]
+fn a_sliding_block_stops_at_its_distance() {
+    let (speed, mu, gravity) = (0.3, 0.4, 9.81);
+    let expected = speed * speed / (2.0 * mu * gravity);
+    let mut springs = Springs2D::new(&apart(&stack(1, 0.0), 1e-5), springs::Constants::default());
+    let settle = (0.2 / springs.constants.step) as u32;
+    for _ in 0..settle {
+        springs.step();
+    }
+    for state in &mut springs.curr {
+        state.velocity.x = speed;
+    }
+    let start = springs.pose(0).0.x;
+    for _ in 0..2 * settle {
+        springs.step();
+    }
+    let slid = springs.pose(0).0.x - start;
+    assert!((slid / expected - 1.0).abs() < 0.1, "springs: {slid} m, expected {expected}");
+    for method in [Method::Penalty, Method::MicroCollisions] {
+        let mut world = Rigid2D::new(&stack(1, 0.0), Constants::of(method));
+        run(&mut world, 0.2);
+        world.bodies[1].velocity.x = speed;
+        let start = world.pose(0).0.x;
+        run(&mut world, 0.4);
+        let slid = world.pose(0).0.x - start;
+        assert!((slid / expected - 1.0).abs() < 0.1, "{method:?}: {slid} m, expected {expected}");
+    }
+}
+
+/// Force of one contact point on a body that spins and slides (Eq. 2.16): m (g - ω² h) where the
+/// point is at h below the centre and the normal that of the floor; where the normal turns with the
+/// body, its turning adds 2 ω v to the acceleration.
+#[test]
+fn a_spinning_body_has_the_acceleration_of_its_contact() {
+    let (gravity, mass) = (9.81, 1.0);
+    let force = |spin: f64, slide: f64, of_first: bool| {
+        let mut body = square(DVec2::new(0.0, 0.5), 0.0);
+        (body.spin, body.velocity.x) = (spin, slide);
+        let point = Point { position: DVec2::ZERO, normal: DVec2::Y, of_first, depth: 0.0 };
+        let contact = Contact { a: 1, b: 0, point };
+        resting::forces(&[Body::floor(), body], &[contact], gravity).unwrap()[0]
+    };
+    let h = 0.5;
+    for (spin, slide) in [(0.0, 0.0), (2.0, 0.0), (0.0, 1.0), (3.0, -1.0), (-3.0, 0.5)] {
+        let centripetal = spin * spin * h;
+        let fixed = mass * (gravity - centripetal);
+        assert!((force(spin, slide, false) - fixed).abs() < 1e-12, "{spin} {slide}");
+        // The point moves at slide + spin h, and the normal turns by the spin, towards -x.
+        let turning = mass * (gravity - centripetal + 2.0 * spin * (slide + spin * h));
+        assert!((force(spin, slide, true) - turning.max(0.0)).abs() < 1e-12, "{spin} {slide}");
+    }
+}
+
+/// A contact slower than the limit reverses its whole velocity whatever the restitution, and so
+/// keeps the energy of a block that begins to fall; above the limit the restitution counts.
+#[test]
+fn a_micro_collision_reverses_the_whole_velocity() {
+    for restitution in [0.0, 0.3] {
+        let constants = Constants { restitution, friction: 0.0, ..Constants::of(Method::MicroCollisions) };
+        let kept = |constants: Constants| {
+            let mut world = Rigid2D::new(&stack(1, 0.0), constants);
+            let report = world.step();
+            assert!(report.iterations > 0 && !report.capped, "{report:?}");
+            let fall = constants.gravity * constants.step;
+            world.bodies[1].energy() / (0.5 * fall * fall * 0.0196)
+        };
+        // Far above the velocities of the corners, which the first impulse at one of them doubles.
+        let micro = kept(Constants { rest_velocity: 1.0, ..constants });
+        assert!((micro - 1.0).abs() < 1e-9, "{restitution}: {micro}");
+        let plain = kept(Constants { rest_velocity: 0.0, ..constants });
+        assert!(plain < 0.5, "{restitution}: {plain}");
     }
 }
