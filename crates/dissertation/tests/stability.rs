@@ -111,3 +111,26 @@ fn a_scene_keeps_its_motion_or_is_refused() {
     let error = Jenga3D::new(&scene, Constants::default()).unwrap_err().to_string();
     assert_eq!(error, "block 0: `fixed` is true, expected false: the method of 2003 has no fixed blocks");
 }
+
+/// Section 5.2.2: a frame may cover the time that the last one took, up to the limit of the springs.
+#[test]
+fn a_frame_covers_the_time_that_is_asked_for() {
+    let mut falling = Jenga3D::new(&alone(), Constants { row_spacing: 0.5, ..Constants::default() }).unwrap();
+    let start = falling.centres()[0].z;
+    for time in [0.01, 0.03, 0.02] {
+        falling.frame_over(time, None).unwrap();
+    }
+    assert!((falling.time - 0.06).abs() < 1e-12);
+    assert_eq!(falling.constants.frame_rate, 60.0);
+    let fallen = start - falling.centres()[0].z;
+    assert!((fallen - 0.5 * 9.81 * 0.06 * 0.06).abs() < 1e-4, "{fallen}");
+    let limit = falling.max_frame_time();
+    assert!(falling.frame_over(0.99 * limit, None).is_ok());
+    let error = falling.frame_over(1.01 * limit, None).unwrap_err().to_string();
+    assert!(error.contains("springs diverge"), "{error}");
+    // With g = 8 c / m and k = 8 k / m: 2 g h + k h² = 4 for half a step h of the loop.
+    let (g, k) = (8.0 * 2.0 / (0.0196 / 8.0), 8.0 * 1e4 / (0.0196 / 8.0));
+    let half_step = (-g + f64::sqrt(g * g + 4.0 * k)) / k;
+    assert!((limit / (320.0 * half_step) - 1.0).abs() < 1e-9, "{limit}");
+    assert!(falling.frame_over(0.0, None).is_err() && falling.frame_over(f64::NAN, None).is_err());
+}

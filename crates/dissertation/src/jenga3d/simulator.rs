@@ -159,6 +159,27 @@ impl Jenga3D {
         report
     }
 
+    /// Advances by a frame that covers `time` (s) in the steps of a frame: the adaptable frame rate of
+    /// section 5.2.2, where `time` is that which the last frame took to compute.
+    ///
+    /// # Errors
+    /// When the frame is shorter than a thousandth of a second or longer than a second, or the
+    /// springs would diverge in steps so long: the stiff equations for which it was left out in
+    /// 2003. [`Jenga3D::max_frame_time`] is the limit.
+    pub fn frame_over(&mut self, time: f64, hand: Option<&Hand>) -> Result<FrameReport, ConstantError> {
+        let default = self.constants.clone();
+        self.set_constants(Constants { frame_rate: 1.0 / time, ..default.clone() })?;
+        let report = self.frame(hand);
+        self.constants = default;
+        Ok(report)
+    }
+
+    /// Maximum time of a frame, s, at the present number of steps, for which no spring diverges.
+    pub fn max_frame_time(&self) -> f64 {
+        let min_mass = self.model.particles.iter().map(|p| p.mass).fold(f64::INFINITY, f64::min);
+        stability::max_frame_time(&self.constants, min_mass)
+    }
+
     /// Advances by one step: integrates, resolves collisions and accepts the next states.
     pub fn step(&mut self, hand: Option<&Hand>) -> StepCounts {
         let user = hand.and_then(|hand| {

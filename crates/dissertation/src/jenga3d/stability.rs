@@ -58,6 +58,17 @@ fn is_stable(constants: &Constants, mass: f64) -> bool {
     }
 }
 
+/// Maximum time of a frame, s, for which no mode of the springs grows.
+pub fn max_frame_time(constants: &Constants, mass: f64) -> f64 {
+    let stable = |time: f64| is_stable(&Constants { frame_rate: 1.0 / time, ..constants.clone() }, mass);
+    let (mut low, mut high) = (0.0, 1.0);
+    for _ in 0..BISECTIONS {
+        let middle = 0.5 * (low + high);
+        if stable(middle) { low = middle } else { high = middle }
+    }
+    low
+}
+
 /// Maximum factor of a step for z² + a z + b = 0: the absolute value of a method's polynomial,
 /// highest power first, at either root.
 fn amplification(polynomial: &[f64], a: f64, b: f64) -> f64 {
