@@ -62,15 +62,3 @@ impl Bounds {
 pub fn overlapping(boxes: &[Bounds], with: &Bounds) -> u16 {
     boxes.iter().enumerate().fold(0, |mask, (n, part)| mask | u16::from(part.overlaps(with)) << n)
 }
-
-/// Returns those boxes of a mask that overlap another.
-#[inline]
-pub fn overlapping_of(mask: u16, boxes: &[Bounds], with: &Bounds) -> u16 {
-    let (mut rest, mut overlapping) = (mask, 0);
-    while rest != 0 {
-        let n = rest.trailing_zeros();
-        rest &= rest - 1;
-        overlapping |= u16::from(boxes[n as usize].overlaps(with)) << n;
-    }
-    overlapping
-}

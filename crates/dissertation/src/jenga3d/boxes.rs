@@ -1,5 +1,5 @@
 //! Boxes of particles, edges, faces and blocks, updated as particles change (sections 4.4.3 and
-//! 5.3).
+//! 5.3). Those of edges and faces follow from those of the corners, which are all that a step keeps.
 
 use super::block::{CORNERS, EDGE_CORNERS, EDGES, FACE_CORNERS, FACES};
 use super::bounds::Bounds;
@@ -42,83 +42,66 @@ pub const EDGES_OF_CORNER: [u16; CORNERS] = {
     of
 };
 
-/// Masks of the faces at each corner.
-const FACES_OF_CORNER: [u16; CORNERS] = {
-    let mut of = [0; CORNERS];
-    let mut face = 0;
-    while face < FACES {
-        let [a, b, c] = FACE_CORNERS[face];
-        of[a] |= 1 << face;
-        of[b] |= 1 << face;
-        of[c] |= 1 << face;
-        face += 1;
-    }
-    of
-};
+/// Boxes of the corners of one block.
+pub type CornerBoxes = [Bounds; CORNERS];
 
-/// Boxes of the parts of one block.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct BlockBoxes {
+/// Updates the boxes of some corners, a mask, to these current and next states.
+pub fn update(boxes: &mut CornerBoxes, corners: u8, curr: &[State], next: &[State]) {
+    for (n, corner) in boxes.iter_mut().enumerate().filter(|(n, _)| corners >> n & 1 == 1) {
+        *corner = Bounds::of_path(curr[n].position, next[n].position);
+    }
+}
+
+/// Returns the box of a face.
+#[inline]
+pub fn of_face(corners: &CornerBoxes, face: usize) -> Bounds {
+    let [a, b, c] = FACE_CORNERS[face];
+    corners[a].union(corners[b]).union(corners[c])
+}
+
+/// Returns the box of an edge.
+#[inline]
+pub fn of_edge(corners: &CornerBoxes, edge: usize) -> Bounds {
+    let [a, b] = EDGE_CORNERS[edge];
+    corners[a].union(corners[b])
+}
+
+/// Returns the box of a whole block.
+pub fn of_block(corners: &CornerBoxes) -> Bounds {
+    corners[1..].iter().fold(corners[0], |all, corner| all.union(*corner))
+}
+
+/// Reference boxes of the parts of one block.
+#[derive(Debug, Clone, PartialEq)]
+pub struct PartBoxes {
     /// Boxes of its corners.
-    pub corners: [Bounds; CORNERS],
+    pub corners: CornerBoxes,
     /// Boxes of its edges.
     pub edges: [Bounds; EDGES],
     /// Boxes of its faces.
     pub faces: [Bounds; FACES],
 }
 
-impl BlockBoxes {
+impl PartBoxes {
     /// Boxes of all space.
-    pub const ALL: Self =
-        Self { corners: [Bounds::ALL; CORNERS], edges: [Bounds::ALL; EDGES], faces: [Bounds::ALL; FACES] };
-
-    /// Returns the box of the whole block.
-    pub fn block(&self) -> Bounds {
-        enclose(&self.corners, [0, 1, 2, 3, 4, 5, 6, 7])
+    pub fn all() -> Self {
+        Self { corners: [Bounds::ALL; CORNERS], edges: [Bounds::ALL; EDGES], faces: [Bounds::ALL; FACES] }
     }
 
-    /// Returns the boxes enlarged on every side by `margin`, m.
-    pub fn enlarged(&self, margin: f64) -> Self {
+    /// Creates the boxes of a block, enlarged on every side by `margin`, m.
+    pub fn enlarged(corners: &CornerBoxes, margin: f64) -> Self {
+        let corners = corners.map(|corner| corner.enlarged(margin));
         Self {
-            corners: self.corners.map(|part| part.enlarged(margin)),
-            edges: self.edges.map(|part| part.enlarged(margin)),
-            faces: self.faces.map(|part| part.enlarged(margin)),
+            edges: std::array::from_fn(|n| of_edge(&corners, n)),
+            faces: std::array::from_fn(|n| of_face(&corners, n)),
+            corners,
         }
     }
 
-    /// Returns true if the boxes of some corners of another, a mask, lie within these. Where those
-    /// of all corners do, those of edges and faces do as well.
-    pub fn enclose(&self, other: &Self, corners: u8) -> bool {
-        let inside = |n: usize| self.corners[n].encloses(&other.corners[n]);
+    /// Returns true if the boxes of some corners of the block, a mask, lie within these. Where
+    /// those of all corners do, those of edges and faces do as well.
+    pub fn enclose(&self, boxes: &CornerBoxes, corners: u8) -> bool {
+        let inside = |n: usize| self.corners[n].encloses(&boxes[n]);
         (0..CORNERS).filter(|n| corners >> n & 1 == 1).all(inside)
     }
-
-    /// Updates the boxes after a change of some corners, a mask.
-    #[inline(never)]
-    pub fn update_corners(&mut self, changed: u8, curr: &[State], next: &[State]) {
-        for (n, corner) in self.corners.iter_mut().enumerate().filter(|(n, _)| changed >> n & 1 == 1) {
-            *corner = Bounds::of_path(curr[n].position, next[n].position);
-        }
-        let (mut edges, mut faces) = (0u16, 0u16);
-        for n in (0..CORNERS).filter(|n| changed >> n & 1 == 1) {
-            edges |= EDGES_OF_CORNER[n];
-            faces |= FACES_OF_CORNER[n];
-        }
-        while edges != 0 {
-            let n = edges.trailing_zeros() as usize;
-            edges &= edges - 1;
-            self.edges[n] = enclose(&self.corners, EDGE_CORNERS[n]);
-        }
-        while faces != 0 {
-            let n = faces.trailing_zeros() as usize;
-            faces &= faces - 1;
-            self.faces[n] = enclose(&self.corners, FACE_CORNERS[n]);
-        }
-    }
-}
-
-/// Returns the box of some corners.
-#[inline]
-fn enclose<const N: usize>(corners: &[Bounds; CORNERS], indices: [usize; N]) -> Bounds {
-    indices[1..].iter().fold(corners[indices[0]], |all, &c| all.union(corners[c]))
 }

@@ -2,8 +2,8 @@
 //! edge (section 5.4, Figure 5.5).
 
 use super::block::CORNERS;
-use super::bounds::{Bounds, overlapping, overlapping_of};
-use super::boxes::BlockBoxes;
+use super::bounds::Bounds;
+use super::boxes::{self, CornerBoxes};
 use super::changes::Changes;
 use super::constants::Constants;
 use super::contact::Contact;
@@ -12,7 +12,7 @@ use super::field::Field;
 use super::model::Model;
 use super::near::{NearPair, NearPairs, Row, RowKind};
 use super::options::Culling;
-use super::part_pair::{EdgeEdge, FaceCorner, PartPair};
+use super::part_pair::{EdgeEdge, FaceCorner, OUTER_PARTS, PartPair};
 use super::particle::State;
 use super::path::Path;
 
@@ -21,8 +21,8 @@ use super::path::Path;
 pub struct Collider {
     /// Box of every block.
     blocks: Vec<Bounds>,
-    /// Boxes of the parts of every block.
-    boxes: Vec<BlockBoxes>,
+    /// Boxes of the corners of every block.
+    boxes: Vec<CornerBoxes>,
     /// Paths of the corners of every block.
     paths: Vec<[Path; CORNERS]>,
     near: NearPairs,
@@ -57,14 +57,14 @@ struct Parts {
 impl Collider {
     /// Starts a step: computes the boxes of all paths and marks every pair as untested.
     pub fn begin(&mut self, model: &Model, constants: &Constants, curr: &[State], next: &[State]) {
-        self.boxes.resize(model.blocks.len(), BlockBoxes::ALL);
+        self.boxes.resize(model.blocks.len(), [Bounds::ALL; CORNERS]);
         self.paths.clear();
         self.blocks.clear();
-        for (boxes, block) in self.boxes.iter_mut().zip(&model.blocks) {
+        for (corners, block) in self.boxes.iter_mut().zip(&model.blocks) {
             let (curr, next) = (&curr[block.corners()], &next[block.corners()]);
-            boxes.update_corners(0xff, curr, next);
+            boxes::update(corners, 0xff, curr, next);
             self.paths.push(paths(curr, next));
-            self.blocks.push(boxes.block());
+            self.blocks.push(boxes::of_block(corners));
         }
         self.near.begin(&self.boxes, constants, |block| model.blocks[block].centre(curr).z);
         self.changes.reset(model.blocks.len());
@@ -209,8 +209,8 @@ impl Collider {
         let part = usize::from(row.part);
         let mut others = row.others;
         if pass.inner >= Culling::Boxes {
-            let outer = &P::outer_boxes(&self.boxes[outer_block])[part];
-            others = overlapping_of(others, P::inner_boxes(&self.boxes[inner_block]), outer);
+            let (outer, corners) = (P::outer_box(&self.boxes[outer_block], part), &self.boxes[inner_block]);
+            others = overlapping(others, |n| P::inner_box(corners, n), &outer);
         }
         if others == 0 {
             return None;
@@ -237,7 +237,8 @@ impl Collider {
     /// Returns the parts that overlap the other block.
     fn parts<P: PartPair>(&self, pass: &Pass) -> Parts {
         let [outer_block, inner_block] = pass.blocks;
-        let outer = overlapping(P::outer_boxes(&self.boxes[outer_block]), &self.blocks[inner_block]);
+        let corners = &self.boxes[outer_block];
+        let outer = overlapping((1 << OUTER_PARTS) - 1, |n| P::outer_box(corners, n), &self.blocks[inner_block]);
         let mut parts = Parts { outer, inner: u16::MAX, event: 0 };
         self.update_inner::<P>(&mut parts, pass);
         parts
@@ -247,7 +248,8 @@ impl Collider {
     fn update_inner<P: PartPair>(&self, parts: &mut Parts, pass: &Pass) {
         if parts.event != self.changes.event() && pass.inner >= Culling::Boxes {
             let [outer_block, inner_block] = pass.blocks;
-            parts.inner = overlapping(P::inner_boxes(&self.boxes[inner_block]), &self.blocks[outer_block]);
+            let (all, corners) = ((1 << P::INNER_PARTS) - 1, &self.boxes[inner_block]);
+            parts.inner = overlapping(all, |n| P::inner_box(corners, n), &self.blocks[outer_block]);
         }
         parts.event = self.changes.event();
     }
@@ -272,11 +274,11 @@ impl Collider {
 
     /// Updates the boxes of a block after a change of some corners, a mask.
     fn update_corners(&mut self, block: usize, changed: u8, curr: &[State], next: &[State]) {
-        self.boxes[block].update_corners(changed, curr, next);
+        boxes::update(&mut self.boxes[block], changed, curr, next);
         for n in (0..CORNERS).filter(|n| changed >> n & 1 == 1) {
             self.paths[block][n] = Path::between(curr[n].position, next[n].position);
         }
-        self.blocks[block] = self.boxes[block].block();
+        self.blocks[block] = boxes::of_block(&self.boxes[block]);
         self.changes.mark_corners(block, changed);
         self.near.update(block, changed, &self.boxes);
     }
@@ -286,4 +288,16 @@ impl Collider {
 #[inline]
 fn paths(curr: &[State], next: &[State]) -> [Path; CORNERS] {
     std::array::from_fn(|n| Path::between(curr[n].position, next[n].position))
+}
+
+/// Returns those parts of a mask whose boxes overlap another.
+#[inline]
+fn overlapping(mask: u16, of: impl Fn(usize) -> Bounds, with: &Bounds) -> u16 {
+    let (mut rest, mut overlapping) = (mask, 0);
+    while rest != 0 {
+        let n = rest.trailing_zeros();
+        rest &= rest - 1;
+        overlapping |= u16::from(of(n as usize).overlaps(with)) << n;
+    }
+    overlapping
 }

@@ -8,7 +8,7 @@
 use std::ops::Range;
 
 use super::bounds::{Bounds, overlapping};
-use super::boxes::BlockBoxes;
+use super::boxes::{self, CornerBoxes, PartBoxes};
 use super::constants::Constants;
 use super::options::{Culling, Order};
 
@@ -62,7 +62,7 @@ impl NearPair {
 #[derive(Debug, Clone, Default)]
 pub struct NearPairs {
     /// Reference boxes of the parts of every block.
-    reference: Vec<BlockBoxes>,
+    reference: Vec<PartBoxes>,
     /// Reference boxes of the blocks.
     outer: Vec<Bounds>,
     /// Rank of every block in the order of tests.
@@ -78,12 +78,12 @@ pub struct NearPairs {
 impl NearPairs {
     /// Starts a step, none of whose pairs is tested: updates the reference boxes that the boxes of
     /// a block have left, and the pairs of those blocks.
-    pub fn begin(&mut self, boxes: &[BlockBoxes], constants: &Constants, height: impl Fn(usize) -> f64) {
+    pub fn begin(&mut self, boxes: &[CornerBoxes], constants: &Constants, height: impl Fn(usize) -> f64) {
         let culling = Some((constants.culling, constants.listed_boxes));
         let is_new = self.culling != culling || self.reference.len() != boxes.len();
         if is_new {
             *self = Self { culling, version: self.version, ..Self::default() };
-            self.reference.resize(boxes.len(), BlockBoxes::ALL);
+            self.reference.resize(boxes.len(), PartBoxes::all());
             self.outer.resize(boxes.len(), Bounds::ALL);
         }
         let are_ranked = self.rank(constants.order, boxes.len(), height);
@@ -123,7 +123,7 @@ impl NearPairs {
 
     /// Updates the pairs of one block within a step if the boxes of some corners, a mask, have left
     /// its reference boxes.
-    pub fn update(&mut self, block: usize, corners: u8, boxes: &[BlockBoxes]) {
+    pub fn update(&mut self, block: usize, corners: u8, boxes: &[CornerBoxes]) {
         if !self.reference[block].enclose(&boxes[block], corners) {
             self.stale.fill(false);
             self.stale[block] = true;
@@ -178,13 +178,14 @@ impl NearPairs {
     }
 
     /// Replaces the reference boxes and the pairs of the stale blocks.
-    fn refresh(&mut self, boxes: &[BlockBoxes]) {
+    fn refresh(&mut self, boxes: &[CornerBoxes]) {
         self.version = self.version.wrapping_add(1);
         let cached = self.culling.is_some_and(|(culling, _)| culling >= Culling::Boxes);
-        for (block, boxes) in boxes.iter().enumerate().filter(|(block, _)| self.stale[*block]) {
+        for (block, corners) in boxes.iter().enumerate().filter(|(block, _)| self.stale[*block]) {
             // Without boxes every pair is tested, and all of its parts.
-            self.reference[block] = if cached { boxes.enlarged(margin(boxes)) } else { BlockBoxes::ALL };
-            self.outer[block] = self.reference[block].block();
+            self.reference[block] =
+                if cached { PartBoxes::enlarged(corners, margin(corners)) } else { PartBoxes::all() };
+            self.outer[block] = boxes::of_block(&self.reference[block].corners);
         }
         let (old_pairs, old_rows) = (std::mem::take(&mut self.pairs), std::mem::take(&mut self.rows));
         for pair in &old_pairs {
@@ -249,7 +250,7 @@ impl NearPairs {
 }
 
 /// Margin of the reference boxes of a block with these boxes, m.
-fn margin(boxes: &BlockBoxes) -> f64 {
-    let path = boxes.corners.iter().map(Bounds::max_extent).fold(0.0, f64::max);
+fn margin(corners: &CornerBoxes) -> f64 {
+    let path = corners.iter().map(Bounds::max_extent).fold(0.0, f64::max);
     MIN_MARGIN + MARGIN_STEPS * path
 }

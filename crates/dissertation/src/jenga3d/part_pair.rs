@@ -1,8 +1,8 @@
 //! Parts of two blocks that collide: a face with a corner, and an edge with an edge.
 
-use super::block::{CORNERS, EDGE_CORNERS, FACE_CORNERS};
+use super::block::{CORNERS, EDGE_CORNERS, EDGES, FACE_CORNERS};
 use super::bounds::Bounds;
-use super::boxes::{BlockBoxes, CORNERS_OF_EDGE, CORNERS_OF_FACE, EDGES_OF_CORNER};
+use super::boxes::{self, CORNERS_OF_EDGE, CORNERS_OF_FACE, CornerBoxes, EDGES_OF_CORNER};
 use super::contact::{Contact, Kind};
 use super::cubic::Cubic;
 use super::edge_edge;
@@ -24,11 +24,14 @@ pub trait PartPair {
     /// Returns a mask of the inner parts that have one of these corners, a mask.
     fn inner_of(corners: u8) -> u16;
 
-    /// Boxes of the outer parts.
-    fn outer_boxes(boxes: &BlockBoxes) -> &[Bounds; OUTER_PARTS];
+    /// Number of inner parts of a block.
+    const INNER_PARTS: usize;
 
-    /// Boxes of the inner parts.
-    fn inner_boxes(boxes: &BlockBoxes) -> &[Bounds];
+    /// Returns the box of an outer part.
+    fn outer_box(corners: &CornerBoxes, part: usize) -> Bounds;
+
+    /// Returns the box of an inner part.
+    fn inner_box(corners: &CornerBoxes, part: usize) -> Bounds;
 
     /// Paths of an outer part, from those of the corners of its block.
     fn outer(corners: &[Path; CORNERS], part: usize) -> Self::Outer;
@@ -52,6 +55,7 @@ fn face(field: &Field, block: usize, part: usize) -> [usize; 3] {
 
 impl PartPair for FaceCorner {
     const OUTER_CORNERS: [u8; OUTER_PARTS] = CORNERS_OF_FACE;
+    const INNER_PARTS: usize = CORNERS;
     type Outer = MovingPlane;
 
     #[inline]
@@ -60,13 +64,13 @@ impl PartPair for FaceCorner {
     }
 
     #[inline]
-    fn outer_boxes(boxes: &BlockBoxes) -> &[Bounds; OUTER_PARTS] {
-        &boxes.faces
+    fn outer_box(corners: &CornerBoxes, part: usize) -> Bounds {
+        boxes::of_face(corners, part)
     }
 
     #[inline]
-    fn inner_boxes(boxes: &BlockBoxes) -> &[Bounds] {
-        &boxes.corners
+    fn inner_box(corners: &CornerBoxes, part: usize) -> Bounds {
+        corners[part]
     }
 
     #[inline]
@@ -108,6 +112,7 @@ fn edge(field: &Field, block: usize, part: usize) -> [usize; 2] {
 
 impl PartPair for EdgeEdge {
     const OUTER_CORNERS: [u8; OUTER_PARTS] = CORNERS_OF_EDGE;
+    const INNER_PARTS: usize = EDGES;
     type Outer = [Path; 2];
 
     #[inline]
@@ -116,13 +121,13 @@ impl PartPair for EdgeEdge {
     }
 
     #[inline]
-    fn outer_boxes(boxes: &BlockBoxes) -> &[Bounds; OUTER_PARTS] {
-        &boxes.edges
+    fn outer_box(corners: &CornerBoxes, part: usize) -> Bounds {
+        boxes::of_edge(corners, part)
     }
 
     #[inline]
-    fn inner_boxes(boxes: &BlockBoxes) -> &[Bounds] {
-        &boxes.edges
+    fn inner_box(corners: &CornerBoxes, part: usize) -> Bounds {
+        boxes::of_edge(corners, part)
     }
 
     #[inline]
