@@ -112,7 +112,8 @@ fn a_scene_keeps_its_motion_or_is_refused() {
     assert_eq!(error, "block 0: `fixed` is true, expected false: the method of 2003 has no fixed blocks");
 }
 
-/// Section 5.2.2: a frame may cover the time that the last one took, up to the limit of the springs.
+/// Section 5.2.2: a frame may cover the time that the last one took, up to the limit of the
+/// springs.
 #[test]
 fn a_frame_covers_the_time_that_is_asked_for() {
     let mut falling = Jenga3D::new(&alone(), Constants { row_spacing: 0.5, ..Constants::default() }).unwrap();

@@ -1,5 +1,6 @@
 //! Boxes of particles, edges, faces and blocks, updated as particles change (sections 4.4.3 and
-//! 5.3). Those of edges and faces follow from those of the corners, which are all that a step keeps.
+//! 5.3). Those of edges and faces follow from those of the corners, which are all that a step
+//! keeps.
 
 use super::block::{CORNERS, EDGE_CORNERS, EDGES, FACE_CORNERS, FACES};
 use super::bounds::Bounds;

@@ -159,8 +159,8 @@ impl Jenga3D {
         report
     }
 
-    /// Advances by a frame that covers `time` (s) in the steps of a frame: the adaptable frame rate of
-    /// section 5.2.2, where `time` is that which the last frame took to compute.
+    /// Advances by a frame that covers `time` (s) in the steps of a frame: the adaptable frame rate
+    /// of section 5.2.2, where `time` is that which the last frame took to compute.
     ///
     /// # Errors
     /// When the frame is shorter than a thousandth of a second or longer than a second, or the
