@@ -58,6 +58,18 @@ fn a_disabled_block_ends_its_step_where_it_began() {
     assert!(seen > 1000, "{seen}");
 }
 
+/// A threshold of zero disables nothing, not even a block that does not move at all.
+#[test]
+fn a_threshold_of_zero_disables_nothing() {
+    let constants = Constants { gravity: 0.0, row_spacing: 0.5, disable_threshold: 0.0, ..Constants::default() };
+    let mut one = Jenga3D::new(&named("block").unwrap(), constants).unwrap();
+    for _ in 0..20 {
+        let before = one.curr[0].position;
+        one.step(None);
+        assert_eq!((one.curr[0].position, disabled(&one)), (before, 0));
+    }
+}
+
 /// Returns the speed that a blow gives a disabled block in the very step of the blow, m/s: a block
 /// that falls on it at three metres a second.
 fn speed_after_a_blow(reactivation_impulse: f64) -> f64 {
@@ -112,7 +124,7 @@ fn a_drawn_block_wakes_its_neighbours() {
 /// A block that turns in place is not at rest; one that vibrates on its springs is.
 #[test]
 fn a_block_that_turns_in_place_stays_enabled() {
-    let floating = |velocity: fn(DVec3) -> DVec3| {
+    let floating = |velocity: &dyn Fn(DVec3) -> DVec3| {
         let constants = Constants { gravity: 0.0, row_spacing: 0.5, damping: 0.0, ..rigid() };
         let mut one = Jenga3D::new(&named("block").unwrap(), constants).unwrap();
         let centre = one.centres()[0];
@@ -125,11 +137,13 @@ fn a_block_that_turns_in_place_stays_enabled() {
         one
     };
     // 0.04 m at 0.1 rad/s is 1 mm in the quarter of a second.
-    let turning = floating(|arm| 0.1 * DVec3::Z.cross(arm));
-    assert!(turning.model.blocks[0].active);
-    let centre = turning.centres()[0];
-    assert!(centre.truncate().length() < 1e-9, "{centre}");
+    for axis in [DVec3::X, DVec3::Y, DVec3::Z] {
+        let turning = floating(&|arm| 0.1 * axis.cross(arm));
+        assert!(turning.model.blocks[0].active, "{axis}");
+        let centre = turning.centres()[0];
+        assert!(centre.truncate().length() < 1e-9, "{centre}");
+    }
     // 1 mm/s of breathing: a corner travels far more than the limit, and comes back.
-    let breathing = floating(|arm| 0.02 * arm);
+    let breathing = floating(&|arm| 0.02 * arm);
     assert!(!breathing.model.blocks[0].active);
 }
