@@ -147,3 +147,22 @@ fn a_block_that_turns_in_place_stays_enabled() {
     let breathing = floating(&|arm| 0.02 * arm);
     assert!(!breathing.model.blocks[0].active);
 }
+
+/// A thrown block rests again only after the whole time of rest.
+#[test]
+fn a_thrown_block_starts_its_rest_again() {
+    let constants = Constants { gravity: 0.0, row_spacing: 0.5, ..rigid() };
+    let mut one = Jenga3D::new(&named("block").unwrap(), constants).unwrap();
+    let frames = |one: &mut Jenga3D, count: u32| {
+        for _ in 0..count {
+            one.frame(None);
+        }
+    };
+    // A quarter of a second is 15 frames.
+    frames(&mut one, 14);
+    one.throw(0, DVec3::ZERO);
+    frames(&mut one, 14);
+    assert_eq!(disabled(&one), 0);
+    frames(&mut one, 2);
+    assert_eq!(disabled(&one), 1);
+}
