@@ -19,8 +19,12 @@ use crate::error::SceneError;
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "lowercase")]
 pub enum BlockPreset {
-    /// 81 x 26.8 x 18 mm, 19.6 g, 0.3 mm between the three of a row, as measured for the
-    /// dissertation. A row is exactly as wide as a block is long.
+    /// 81 x 26.8 x 18 mm, 19.6 g, 0.3 mm between the three of a row, after the dissertation.
+    ///
+    /// Its Table 3.1 has ten blocks, to a millimetre, with the means 81, 26.7 and 18.2 mm, and 19.6
+    /// g. Length and mass are the means. The height is that of eight of the ten: two of 19 mm make
+    /// the mean. The width is within the rounding of its mean, and chosen so that three blocks and
+    /// two gaps are exactly as wide as a block is long.
     #[default]
     Dissertation,
     /// 75 x 25 x 15 mm, the size that the game is sold in, at the same density: 14.1 g.
@@ -50,7 +54,7 @@ impl BlockPreset {
         }
     }
 
-    /// Standard deviation of the mass, kg: measured on the dissertation's blocks, scaled for the
+    /// Standard deviation of the mass, kg: that of the dissertation's Table 3.1, scaled for the
     /// others.
     pub fn mass_sd(self) -> f64 {
         match self {

@@ -19,8 +19,8 @@ pub fn exact(text: &str) -> Scene {
 /// Second static test of the dissertation with its top block moved outwards by `out`, m.
 ///
 /// The middle block and the top one balance on the inner edge of the bottom one, 13.7 mm from the
-/// axis; their centre of mass is 27.1 / 2 = 13.55 mm from it. The real tower stood because its top
-/// block lay slightly further out.
+/// axis; their centre of mass is 27.1 / 2 = 13.55 mm from it. The dissertation reports that the
+/// real tower stood, and not where its blocks lay: a top block 0.3 mm further out would balance.
 pub fn test_2(out: f64) -> Scene {
     let mut scene = exact("(001)-(010)-(001)");
     scene.blocks[2].pos[1] += out;
