@@ -278,15 +278,23 @@ impl Jenga3D {
         }
     }
 
+    /// Checks that constants could replace the present ones.
+    ///
+    /// # Errors
+    /// Names the constant out of its range, or that contradicts another.
+    pub fn check_constants(&self, constants: &Constants) -> Result<(), ConstantError> {
+        let min_mass = self.model.particles.iter().map(|p| p.mass).fold(f64::INFINITY, f64::min);
+        constants.check_ranges()?;
+        stability::check(constants, min_mass)
+    }
+
     /// Replaces the constants, those of the springs included; the spacing of the rows belongs to
     /// the start and has no effect.
     ///
     /// # Errors
-    /// Names the constant out of its range, or that contradicts another; nothing is then changed.
+    /// Those of [`Jenga3D::check_constants`]; nothing is then changed.
     pub fn set_constants(&mut self, constants: Constants) -> Result<(), ConstantError> {
-        let min_mass = self.model.particles.iter().map(|p| p.mass).fold(f64::INFINITY, f64::min);
-        constants.check_ranges()?;
-        stability::check(&constants, min_mass)?;
+        self.check_constants(&constants)?;
         for spring in &mut self.model.springs {
             (spring.stiffness, spring.damping) = (constants.stiffness, constants.damping);
         }
