@@ -102,6 +102,9 @@ pub const NAMED: &[NamedScene] = &[
         Some(Stable),
         || test_2(1e-3),
     ),
+    entry("test-2-taken", "(001)-(010), the second once its top block is taken away", Some(Unstable), || {
+        exact("(001)-(010)")
+    }),
     entry("test-3", "(001)-(101)-(001), its third", Some(Unstable), || exact("(001)-(101)-(001)")),
     entry("test-4", "(100)-(010)-(001), its fourth", Some(Unstable), || exact("(100)-(010)-(001)")),
     entry("test-5", "(010)-(010)-(011), its fifth", Some(Stable), || exact("(010)-(010)-(011)")),
@@ -111,6 +114,12 @@ pub const NAMED: &[NamedScene] = &[
     entry("loose", "six full rows with the loose blocks (L00)-(00L)-(00L)-(0L0)-(L0L)-(LLL)", Some(Stable), || {
         valid(tower::loose("(L00)-(00L)-(00L)-(0L0)-(L0L)-(LLL)", &TowerOptions::exact()))
     }),
+    entry(
+        "moves",
+        "the same six rows with 2-1 loose too, as its step 9 says: (L00)-(L0L)-(00L)-(0L0)-(L0L)-(LLL)",
+        Some(Stable),
+        || valid(tower::loose("(L00)-(L0L)-(00L)-(0L0)-(L0L)-(LLL)", &TowerOptions::exact())),
+    ),
     entry("block", "one block on the floor", Some(Stable), || stack(1)),
     entry("column", "ten blocks, one upon the other", Some(Stable), || stack(10)),
     entry("field", "five towers of eight rows, too far apart to touch", Some(Stable), || {
