@@ -106,6 +106,7 @@ impl<S: Simulator> Game<S> {
                 Ending::GivenUp => Event::Released { body },
             });
         }
+        let held = held.or_else(|| self.simulator.held_by_itself());
         self.observe_tower(outcome.max_speed, held, &mut events);
         let form = self.simulator.block_form();
         Update {

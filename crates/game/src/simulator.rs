@@ -103,6 +103,11 @@ pub trait Simulator {
     /// The reason, as one line; nothing has changed then.
     fn set_block_form(&mut self, form: BlockForm) -> Result<(), String>;
 
+    /// Body that the simulator holds with a hand of its own, beside that of the game.
+    fn held_by_itself(&self) -> Option<BodyId> {
+        None
+    }
+
     /// Forces in the contacts by which rest is judged, N. Not a number where a body has none.
     /// `None` for a simulator whose rest is not judged: its tower is never at rest.
     fn rest_forces(&self) -> Option<Vec<f64>> {
