@@ -354,7 +354,7 @@ test('a game restored in the middle of a placement goes on with the same bits', 
 test('the tower of 2003 takes the same commands as the game', async () => {
   const bytes = await readFile(new URL('../src/wasm/teeter_museum_bg.wasm', import.meta.url));
   const museum = await loadMuseum({ module_or_path: bytes });
-  const game = new SpaceGame(towerScene('{"rows": 3}'), false);
+  const game = new SpaceGame(towerScene('{"rows": 3}'), '{}');
   const { body, update } = lift(game);
   const height = new Float64Array(museum.memory.buffer, game.posesPtr(), 7 * game.length)[7 * body + 2];
   assert.ok(height > 0.075, `lifted to ${height} m`);

@@ -2,19 +2,24 @@
 
 mod game;
 mod loads;
+mod pointer_hand;
 #[cfg(test)]
 mod tests;
 mod views;
 
+use std::cell::RefCell;
+use std::collections::BTreeMap;
+
 use glam::DVec3;
 use serde::{Deserialize, Serialize};
 use teeter_dissertation::jenga3d::counters::Counters;
-use teeter_dissertation::jenga3d::{Constants, Disabling, Hand, HandMode, Jenga3D};
+use teeter_dissertation::jenga3d::{Constant, Constants, Hand, HandMode, Jenga3D, TABLE};
 use teeter_scene::Scene;
 use teeter_wasm_support::Error;
 
 pub use game::SpaceGame;
 use loads::Loads;
+use pointer_hand::{PointerHand, Request};
 use views::Views;
 
 /// Three-dimensional simulator of 2003.
@@ -23,7 +28,7 @@ use views::Views;
 /// use teeter_museum::Space;
 ///
 /// let scene = teeter_scene::named("column").expect("the list has it").to_json();
-/// let mut space = Space::new(&scene, false).expect("a valid scene");
+/// let mut space = Space::new(&scene, "{}").expect("a valid scene");
 /// let report = space.step(r#"{"body": 9, "target": [0, 0, 0.3]}"#).expect("a valid hand");
 /// assert!(report.contains("\"active\":"));
 /// ```
@@ -34,7 +39,23 @@ pub struct Space {
     lattices: Vec<f32>,
     /// Loads of the contacts in the last frame.
     loads: Loads,
+    /// Hand of 2003, which holds a block by itself.
+    pointer_hand: PointerHand,
+    /// Changes by the player, with which the next frame begins.
+    changes: RefCell<Vec<Change>>,
 }
+
+/// Change by the player between two frames.
+#[derive(Debug)]
+enum Change {
+    /// Request to the hand of 2003.
+    Hand(Request),
+    /// New constants.
+    Constants(Box<Constants>),
+}
+
+/// Constants that the page does not set: its frames cover 1/60 s.
+const FIXED: [&str; 1] = ["frame_rate"];
 
 /// Command of the hand.
 #[derive(Deserialize)]
@@ -63,35 +84,41 @@ pub struct Report {
     /// Tests of the last step.
     tests: Counters,
     hand: Option<HandReport>,
+    /// Indices of the disabled blocks.
+    disabled: Vec<u32>,
 }
 
 /// Report of the hand at the end of a frame.
 #[derive(Debug, Serialize)]
 struct HandReport {
+    /// Index of its block.
+    body: u32,
+    /// Target of the block's centre, m.
+    target: [f64; 3],
     /// Force, N; `None` while the hand writes the velocity, which no force limits.
     force: Option<[f64; 3]>,
 }
 
 impl Space {
-    /// Creates the blocks of a scene (JSON) with the default constants.
-    ///
-    /// `future` adds the future work of section 6.3: static friction, and disabling by the rigid
-    /// motion of blocks.
+    /// Creates the blocks of a scene (JSON) with constants (JSON, text by name). Friction and
+    /// gravity are those of the scene unless they are named, all others have their defaults.
     ///
     /// # Errors
-    /// Names the invalid block and field of the scene.
-    pub fn new(scene: &str, future: bool) -> Result<Space, Error> {
+    /// Names the invalid block and field of the scene, or the constant that is not accepted.
+    pub fn new(scene: &str, constants: &str) -> Result<Space, Error> {
         let scene = Scene::from_json(scene).map_err(Error::rejected)?;
         let default = Constants { friction: scene.friction, gravity: scene.gravity, ..Constants::default() };
-        let constants = if future {
-            Constants { static_friction: Some(scene.friction), disabling: Disabling::Rigid, ..default }
-        } else {
-            default
-        };
-        let jenga = Jenga3D::new(&scene, constants).map_err(Error::rejected)?;
+        let jenga = Jenga3D::new(&scene, read_constants(constants, default)?).map_err(Error::rejected)?;
         let halves = scene.blocks.iter().map(|b| 0.5 * DVec3::from(b.size)).collect();
         let views = Views::new(&jenga, halves);
-        Ok(Self { jenga, views, lattices: Vec::new(), loads: Loads::default() })
+        Ok(Self {
+            jenga,
+            views,
+            lattices: Vec::new(),
+            loads: Loads::default(),
+            pointer_hand: PointerHand::default(),
+            changes: RefCell::default(),
+        })
     }
 
     /// Advances by 1/60 s under a hand and returns the report as JSON.
@@ -180,7 +207,47 @@ impl Space {
         }
     }
 
+    /// Takes a request to the hand of 2003 (JSON of [`Request`]) for the next frame.
+    fn request(&self, request: &str) -> Result<(), Error> {
+        let request: Request = serde_json::from_str(request).map_err(|e| Error::json("request", e))?;
+        if !request.is_valid() {
+            return Err(Error::rejected("request: a direction has no length, or a number is not finite"));
+        }
+        self.changes.borrow_mut().push(Change::Hand(request));
+        Ok(())
+    }
+
+    /// Takes constants (JSON, text by name) for the next frame; the others keep their values.
+    ///
+    /// The text is checked against the blocks now, so that the next frame can begin with it.
+    fn set_constants(&self, constants: &str) -> Result<(), Error> {
+        let mut changes = self.changes.borrow_mut();
+        let pending = changes.iter().rev().find_map(|change| match change {
+            Change::Constants(constants) => Some((**constants).clone()),
+            Change::Hand(_) => None,
+        });
+        let constants = read_constants(constants, pending.unwrap_or_else(|| self.jenga.constants.clone()))?;
+        self.jenga.check_constants(&constants).map_err(Error::rejected)?;
+        changes.push(Change::Constants(Box::new(constants)));
+        Ok(())
+    }
+
+    /// Begins a frame with the changes of the player.
+    fn apply_changes(&mut self) {
+        for change in self.changes.take() {
+            match change {
+                Change::Hand(request) => self.pointer_hand.take(&request, &self.jenga),
+                Change::Constants(constants) => {
+                    self.jenga.set_constants(*constants).expect("constants are checked when they are taken");
+                }
+            }
+        }
+    }
+
     fn advance(&mut self, hand: Option<&Hand>) -> Report {
+        self.apply_changes();
+        let own = if hand.is_none() { self.pointer_hand.hand(&self.jenga) } else { None };
+        let hand = hand.or(own.as_ref());
         self.loads.clear();
         let (mut rounds, mut unresolved, mut tests) = (0, 0, Counters::default());
         for _ in 0..self.jenga.constants.mid_loop_count {
@@ -200,7 +267,12 @@ impl Space {
             rounds,
             unresolved,
             tests,
-            hand: hand.map(|hand| HandReport { force: self.hand_force(hand).map(|f| f.to_array()) }),
+            hand: hand.map(|hand| HandReport {
+                body: hand.block,
+                target: hand.target.to_array(),
+                force: self.hand_force(hand).map(|f| f.to_array()),
+            }),
+            disabled: (0..).zip(&model.blocks).filter(|(_, block)| !block.active).map(|(n, _)| n).collect(),
         }
     }
 
@@ -214,4 +286,22 @@ impl Space {
         };
         by_force.then(|| constants.hand_stiffness * (hand.target - model.blocks[hand.block as usize].centre(curr)))
     }
+}
+
+/// Constants that a page can set, as data: section, name, unit, range, meaning, reason, and the
+/// default.
+pub fn settable_constants() -> Vec<&'static Constant> {
+    TABLE.iter().filter(|constant| !FIXED.contains(&constant.name)).collect()
+}
+
+/// Sets the constants that a text (JSON, text by name) names.
+fn read_constants(text: &str, mut constants: Constants) -> Result<Constants, Error> {
+    let values: BTreeMap<String, String> = serde_json::from_str(text).map_err(|e| Error::json("constants", e))?;
+    for (name, value) in &values {
+        if FIXED.contains(&name.as_str()) {
+            return Err(Error::rejected(format!("`{name}` is that of the page")));
+        }
+        constants.set(name, value).map_err(Error::rejected)?;
+    }
+    Ok(constants)
 }

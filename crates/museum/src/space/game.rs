@@ -14,7 +14,7 @@ use teeter_wasm_support::Error;
 use wasm_bindgen::prelude::*;
 
 use super::loads::LoadedContact;
-use super::{Report, Space};
+use super::{Report, Space, settable_constants};
 
 /// The hand of 2003 moves a block's centre. It is a spring while the block touches anything and
 /// writes the block's velocity in the air, so only the lead of its target limits its force.
@@ -96,6 +96,10 @@ impl Simulator for Space {
     fn hand_stiffness(&self) -> Option<f64> {
         Some(self.jenga.constants.hand_stiffness)
     }
+
+    fn held_by_itself(&self) -> Option<BodyId> {
+        self.pointer_hand.block().map(BodyId)
+    }
 }
 
 /// Game with the three-dimensional simulator of 2003.
@@ -104,7 +108,7 @@ impl Simulator for Space {
 /// use teeter_museum::SpaceGame;
 ///
 /// let scene = teeter_scene::named("column").expect("the list has it").to_json();
-/// let mut game = SpaceGame::new(&scene, false).expect("a valid scene");
+/// let mut game = SpaceGame::new(&scene, "{}").expect("a valid scene");
 /// let update = game.step(r#"{"command": "place", "body": 1}"#).expect("a command");
 /// assert!(update.contains("block 1 is not free"));
 /// ```
@@ -117,16 +121,45 @@ pub struct SpaceGame {
 
 #[wasm_bindgen]
 impl SpaceGame {
-    /// Creates the blocks of a scene (JSON) with the default constants.
-    ///
-    /// `future` adds the future work of section 6.3: static friction, and disabling by the rigid
-    /// motion of blocks.
+    /// Creates the blocks of a scene (JSON) with constants (JSON, text by name). Friction and
+    /// gravity are those of the scene unless they are named, all others have their defaults.
     ///
     /// # Errors
-    /// Names the invalid block and field of the scene.
+    /// Names the invalid block and field of the scene, or the constant that is not accepted.
     #[wasm_bindgen(constructor)]
-    pub fn new(scene: &str, future: bool) -> Result<SpaceGame, Error> {
-        Ok(Self { game: Game::new(Space::new(scene, future)?), lattices: Vec::new() })
+    pub fn new(scene: &str, constants: &str) -> Result<SpaceGame, Error> {
+        Ok(Self { game: Game::new(Space::new(scene, constants)?), lattices: Vec::new() })
+    }
+
+    /// Takes a request to the hand of 2003 (JSON), with which the next frame begins.
+    ///
+    /// `{"request": "pick" | "drag" | "resume", "pointer": {"origin", "direction",
+    /// "toward_viewer"}}`, `{"request": "pull", "distance", "toward_viewer"}` or `{"request":
+    /// "release"}`. That hand acts while the hand of the game holds nothing.
+    ///
+    /// # Errors
+    /// When the text is no request; nothing is then changed.
+    pub fn request(&self, request: &str) -> Result<(), Error> {
+        self.game.world().request(request)
+    }
+
+    /// Takes constants (JSON, text by name), with which the next frame begins; the others keep
+    /// their values.
+    ///
+    /// # Errors
+    /// Names the constant that is not accepted; nothing is then changed.
+    #[wasm_bindgen(js_name = setConstants)]
+    pub fn set_constants(&self, constants: &str) -> Result<(), Error> {
+        self.game.world().set_constants(constants)
+    }
+
+    /// Constants that can be set, as JSON: `[{"section", "name", "unit", "range", "meaning",
+    /// "reason", "default"}]`.
+    ///
+    /// # Errors
+    /// Never: the table is text and numbers.
+    pub fn constants() -> Result<String, Error> {
+        write("constants", &settable_constants())
     }
 
     /// Carries out a command (JSON of [`Command`]; empty text for `idle`), advances by 1/60 s and

@@ -12,7 +12,7 @@ fn tower() -> String {
 }
 
 fn settled() -> Game<Space> {
-    let mut game = Game::new(Space::new(&tower(), false).unwrap());
+    let mut game = Game::new(Space::new(&tower(), "{}").unwrap());
     for _ in 0..60 {
         game.step(&Command::Idle);
     }
@@ -68,7 +68,7 @@ fn a_block_in_the_tower_is_pulled_with_the_force_of_the_hand_at_most() {
 
 #[test]
 fn the_target_of_the_centre_is_that_of_the_grasped_point_less_the_arm() {
-    let [mut space, mut same] = [(); 2].map(|()| Space::new(&tower(), false).unwrap());
+    let [mut space, mut same] = [(); 2].map(|()| Space::new(&tower(), "{}").unwrap());
     let (body, anchor) = (BodyId(7), DVec3::new(0.03, 0.0, 0.009));
     let arm = DQuat::from_slice(&space.views.poses[7 * POSE_STRIDE + 3..]) * anchor;
     let target = DVec3::new(0.02, 0.01, 0.1);
@@ -93,7 +93,7 @@ fn the_hand_does_not_turn_blocks_and_their_springs_do_not_change() {
 
 #[test]
 fn commands_and_updates_are_text() {
-    let mut game = SpaceGame::new(&tower(), true).unwrap();
+    let mut game = SpaceGame::new(&tower(), r#"{"static_friction": "0.4", "disabling": "rigid"}"#).unwrap();
     let update = read(&game.step("").unwrap());
     assert_eq!((&update["tower"], &update["form"]), (&"moving".into(), &"lattice".into()), "rows fall on each other");
     assert!(["active", "rounds", "unresolved", "tests"].iter().all(|field| !update["report"][field].is_null()));
@@ -107,7 +107,7 @@ fn commands_and_updates_are_text() {
 
 #[test]
 fn text_that_is_no_command_is_an_error_of_one_line_and_changes_nothing() {
-    let mut game = SpaceGame::new(&tower(), false).unwrap();
+    let mut game = SpaceGame::new(&tower(), "{}").unwrap();
     for text in ["{", "grasp", r#"{"command": "jump"}"#, r#"{"command": "move"}"#] {
         let line = game.step(text).unwrap_err().to_string();
         assert!(line.starts_with("command: ") && !line.contains('\n'), "{line}");
@@ -115,5 +115,70 @@ fn text_that_is_no_command_is_an_error_of_one_line_and_changes_nothing() {
     assert_eq!(game.time(), 0.0);
     for error in [game.slots(9).map(drop), game.contacts(9).map(drop), game.can_place(9).map(drop)] {
         assert_eq!(error.unwrap_err().to_string(), "there is no block 9: the tower has 9");
+    }
+}
+
+/// The hand of 2003 takes a block out of the row without a slot, a magnet or a limit; the block in
+/// its care has not fallen.
+#[test]
+fn the_hand_of_2003_moves_a_block_by_requests() {
+    let mut game = SpaceGame::new(&tower(), "{}").unwrap();
+    let mut step = |requests: &[Value]| {
+        for request in requests {
+            game.request(&request.to_string()).unwrap();
+        }
+        (read(&game.step("").unwrap()), game.game.blocks().position(BodyId(4)))
+    };
+    (0..30).for_each(|_| drop(step(&[])));
+    let (_, start) = step(&[]);
+    // The end of the middle block of the second row, seen along y.
+    let pointer = json!({"origin": [0, -0.5, 0.028], "direction": [0, 1, 0], "toward_viewer": [0, -1, 0]});
+    let (update, _) = step(&[json!({"request": "pick", "pointer": pointer})]);
+    assert_eq!(update["report"]["hand"]["body"], 4);
+    assert!(update["hand"].is_null(), "the hand of the game holds nothing");
+    for _ in 0..10 {
+        step(&[json!({"request": "pull", "distance": 0.02, "toward_viewer": [0, -1, 0]})]);
+    }
+    let (update, out) = step(&[]);
+    assert!(start.y - out.y > 0.15, "{start} {out}");
+    assert!(!update["fallen"].as_array().unwrap().contains(&4.into()), "it is in the player's care");
+    let (update, _) = step(&[json!({"request": "release"})]);
+    assert!(update["report"]["hand"].is_null());
+}
+
+#[test]
+fn constants_change_on_a_standing_tower() {
+    let mut game = SpaceGame::new(&tower(), "{}").unwrap();
+    game.step("").unwrap();
+    game.set_constants(r#"{"disabling": "off", "friction_enabled": "false"}"#).unwrap();
+    game.set_constants(r#"{"order": "top-down"}"#).unwrap();
+    game.step("").unwrap();
+    let constants = &game.game.world().jenga.constants;
+    assert_eq!(constants.disabling, teeter_dissertation::jenga3d::Disabling::Off);
+    assert_eq!(constants.order, teeter_dissertation::jenga3d::Order::TopDown);
+    assert!(!constants.friction_enabled);
+    // Refused by value and range, or with what depends on it; nothing changes.
+    for (text, part) in [
+        (r#"{"restitution": "2"}"#, "`restitution` is 2"),
+        (r#"{"stiffness": "1e8"}"#, "`stiffness`"),
+        (r#"{"colour": "red"}"#, "`colour`"),
+        (r#"{"frame_rate": "30"}"#, "`frame_rate`"),
+        ("{", "constants: "),
+    ] {
+        let line = game.set_constants(text).unwrap_err().to_string();
+        assert!(line.contains(part) && !line.contains('\n'), "{line}");
+    }
+    game.step("").unwrap();
+    let table = read(&SpaceGame::constants().unwrap());
+    let names: Vec<&str> = table.as_array().unwrap().iter().map(|entry| entry["name"].as_str().unwrap()).collect();
+    assert!(names.contains(&"stiffness") && !names.contains(&"frame_rate"), "{names:?}");
+}
+
+#[test]
+fn text_that_is_no_request_is_refused() {
+    let game = SpaceGame::new(&tower(), "{}").unwrap();
+    for text in ["{", r#"{"request": "jump"}"#, r#"{"request": "pull", "distance": 1, "toward_viewer": [0, 0, 0]}"#] {
+        let line = game.request(text).unwrap_err().to_string();
+        assert!(line.starts_with("request: ") && !line.contains('\n'), "{line}");
     }
 }
