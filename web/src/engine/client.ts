@@ -30,7 +30,7 @@ export class Client<S = Setup, F extends Frame<TimedReport> = Frame> {
   private commands = 0;
   /** Numbers of the last requested world and of the current one. */
   private requested = 0;
-  private world = 0;
+  protected world = 0;
   /** Longest time for which one message of the worker blocked the page, ms. */
   maxMessageTime = 0;
 
@@ -65,13 +65,23 @@ export class Client<S = Setup, F extends Frame<TimedReport> = Frame> {
   }
 
   ask<Q extends Question>(question: Q): Promise<Answer<Q>> {
+    return this.inquire(question) as Promise<Answer<Q>>;
+  }
+
+  /** Asks a question that the worker knows. */
+  protected inquire(question: object): Promise<unknown> {
     const id = ++this.questions;
-    this.send({ type: 'ask', id, question });
+    this.post({ type: 'ask', id, question });
     return new Promise(resolve => this.open.set(id, resolve as (value: never) => void));
   }
 
-  private send(message: ToWorker<S>): void {
+  /** Sends a message that the worker knows. */
+  protected post(message: object): void {
     this.worker.postMessage(message);
+  }
+
+  private send(message: ToWorker<S>): void {
+    this.post(message);
   }
 
   private receive(message: FromWorker): void {

@@ -9,11 +9,14 @@ import type { MuseumStore } from './state';
 
 const ROWS: Range & { default: number } = { min: 3, max: 18, default: 6 };
 const SHOWS: readonly Show[] = ['old', 'engine', 'both'];
+/** Scenes of the dissertation, as in the list of the page. */
+const SCENES = ['test-1', 'test-2', 'test-2-out', 'test-2-taken', 'test-3', 'test-4', 'test-5', 'test-6', 'moves'];
 
 export interface ControlActions {
   build(change: Partial<MuseumSetup>): void;
   pause(): void;
   springs(): void;
+  letGo(): void;
 }
 
 export interface Readouts {
@@ -27,7 +30,7 @@ export interface Readouts {
 }
 
 const SHOWN: Record<Show, string> = {
-  old: 'Wood is the tower of 2003.',
+  old: 'Wood is the tower of 2003; its disabled blocks are red.',
   engine: 'Wood is the tower of the engine.',
   both: 'Wood is the tower of the engine, the blue ghost that of 2003, given the same hand.',
 };
@@ -40,31 +43,35 @@ export function readSetup(options: Options): MuseumSetup {
     show: SHOWS.find(show => show === query.get('show')) ?? 'old',
     rows: Math.min(ROWS.max, Math.max(ROWS.min, rows)),
     seed: options.seed,
-    extended: false,
+    scene: SCENES.includes(query.get('scene') ?? '') ? query.get('scene') : null,
+    constants: {},
   };
 }
 
 export class Controls {
   private readonly shows = [...document.querySelectorAll<HTMLInputElement>('input[name="show"]')];
   private readonly rows = element<HTMLInputElement>('rows');
-  private readonly extended = element<HTMLInputElement>('extended');
+  private readonly scene = element<HTMLSelectElement>('scene');
+  private readonly hands = [...document.querySelectorAll<HTMLInputElement>('input[name="hand-of"]')];
 
   constructor(store: MuseumStore, hand: Hand, actions: ControlActions) {
-    const { rows, extended } = this;
+    const { rows, scene } = this;
     rows.min = String(ROWS.min);
     rows.max = String(ROWS.max);
     for (const input of this.shows)
       input.addEventListener('change', () => actions.build({ show: input.value as Show }));
     rows.addEventListener('input', () => setText('rows-value', rows.value));
     rows.addEventListener('change', () => actions.build({ rows: Number(rows.value) }));
-    extended.addEventListener('change', () => actions.build({ extended: extended.checked }));
+    scene.addEventListener('change', () => actions.build({ scene: scene.value || null }));
+    for (const input of this.hands)
+      input.addEventListener('change', () => store.set({ oldHand: input.value === 'old' }));
     onClick('restart', () => actions.build({}));
     onClick('pause', () => actions.pause());
     onClick('springs', () => actions.springs());
     onClick('place', () => hand.place());
     onClick('turn', () => hand.turn(Math.PI / 2));
-    onClick('let-go', () => hand.letGo());
-    store.subscribe(['setup'], ({ setup }) => this.showSetup(setup));
+    onClick('let-go', () => actions.letGo());
+    store.subscribe(['setup', 'oldHand'], ({ setup, oldHand }) => this.showSetup(setup, oldHand));
     store.subscribe(['paused'], ({ paused }) => setPressed('pause', paused));
     store.subscribe(['springs'], ({ springs }) => setPressed('springs', springs));
   }
@@ -97,12 +104,17 @@ export class Controls {
     setText('n-springs', springs);
   }
 
-  private showSetup({ show, rows, extended }: MuseumSetup): void {
+  private showSetup({ show, scene, rows }: MuseumSetup, oldHand: boolean): void {
     for (const input of this.shows) input.checked = input.value === show;
     this.rows.value = String(rows);
     setText('rows-value', String(rows));
-    this.extended.checked = extended;
-    this.extended.disabled = show === 'engine';
+    this.scene.value = scene ?? '';
+    this.rows.disabled = scene !== null;
+    for (const input of this.hands) input.checked = (input.value === 'old') === oldHand;
+    const of2003 = oldHand && show === 'old';
+    element('place').hidden = of2003;
+    element('note-game').hidden = of2003 || show === 'engine';
+    element('note-2003').hidden = !of2003;
     setText('shown', SHOWN[show]);
     element('springs').hidden = show !== 'old';
     element('turn').hidden = show === 'old';

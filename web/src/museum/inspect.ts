@@ -6,13 +6,29 @@ import type { Hand } from '../hand/hand';
 import type { Pointers } from '../hand/pointers';
 import type { PlaneInspect } from './exhibit-view';
 import type { Method, MuseumFrame, Show } from './protocol';
+import type { Hand2003 } from './hand-2003';
+import type { ConstantValues, Report2003 } from './protocol';
 import type { MuseumStore } from './state';
+
+/** Parts that only the tower of 2003 has. */
+export interface Inspect2003 {
+  /** Hand of 2003 as its simulator reports it; null while it holds nothing. */
+  readonly hand: Report2003['hand'];
+  /** Velocity of the fastest block of 2003 in any frame of this world, m/s. */
+  readonly maxSpeed: number;
+  /** Blocks of the tower of 2003 that are disabled. */
+  readonly disabled: number[];
+  /** Constants that are not at their defaults. */
+  readonly constants: ConstantValues;
+}
 
 export interface TowerInspect {
   /** Number of the world, which grows with each build. */
   readonly world: number;
   /** Position of the camera, m. */
   readonly camera: number[];
+  /** The camera's z axis. */
+  readonly towardViewer: number[];
   readonly ready: boolean;
   readonly show: Show;
   /** Simulated time, s. */
@@ -25,6 +41,9 @@ export interface TowerInspect {
   /** Three numbers per block, m. */
   readonly sizes: number[];
   readonly hand: { body: number; grip: string } | null;
+  /** True once a block has fallen. */
+  readonly fallen: boolean;
+  readonly of2003: Inspect2003;
   readonly costs: MuseumFrame['costs'] | null;
   /** Number of springs in the picture. */
   readonly springs: number;
@@ -53,11 +72,15 @@ export interface InspectedTower {
   stage: Stage;
   hand: Hand;
   pointers: Pointers;
+  oldHand: Hand2003;
+  maxSpeed(): number;
 }
 
-export function createTowerInspect({ store, stage, hand, pointers }: InspectedTower): TowerInspect {
+export function createTowerInspect(tower: InspectedTower): TowerInspect {
+  const { store, stage, hand, pointers } = tower;
   const frame = () => store.state.frame;
   return {
+    of2003: inspect2003(tower),
     get ready() {
       return frame() !== null && stage.drawn;
     },
@@ -69,6 +92,9 @@ export function createTowerInspect({ store, stage, hand, pointers }: InspectedTo
     },
     get camera() {
       return stage.orbit.camera.position.toArray();
+    },
+    get towardViewer() {
+      return stage.orbit.forward().negate().toArray();
     },
     get time() {
       return frame()?.update.report.time ?? 0;
@@ -89,6 +115,9 @@ export function createTowerInspect({ store, stage, hand, pointers }: InspectedTo
     get hand() {
       return hand.holds ? { body: hand.body!, grip: hand.held?.grip ?? 'slide' } : null;
     },
+    get fallen() {
+      return frame()?.update.tower === 'fallen';
+    },
     get costs() {
       return frame()?.costs ?? null;
     },
@@ -100,5 +129,22 @@ export function createTowerInspect({ store, stage, hand, pointers }: InspectedTo
       return stage.orbit.project(bodies.surface(body, new Vector3(...local), bodies.newest));
     },
     blockAt: (x, y) => pointers.pickAt(x, y)?.body ?? null,
+  };
+}
+
+function inspect2003({ store, oldHand, maxSpeed }: InspectedTower): Inspect2003 {
+  return {
+    get hand() {
+      return oldHand.holds ? (store.state.frame?.old?.hand ?? null) : null;
+    },
+    get maxSpeed() {
+      return maxSpeed();
+    },
+    get disabled() {
+      return store.state.frame?.old?.disabled ?? [];
+    },
+    get constants() {
+      return store.state.setup.constants;
+    },
   };
 }

@@ -1,7 +1,7 @@
 // Messages between the museum and its workers, besides those of the game. SI units.
 
-import type { TimedReport } from '../engine/game-protocol';
-import type { Frame } from '../engine/protocol';
+import type { TimedReport, Vec } from '../engine/game-protocol';
+import type { Frame, Question, ToWorker } from '../engine/protocol';
 
 /**
  * Tower that is drawn in wood: that of the 2003 method, or the engine's, without or with the
@@ -9,25 +9,81 @@ import type { Frame } from '../engine/protocol';
  */
 export type Show = 'old' | 'engine' | 'both';
 
+/** Constants of the 2003 method by name, as in its ini file. */
+export type ConstantValues = Record<string, string>;
+
 /** Towers to build. */
 export interface MuseumSetup {
   show: Show;
+  /** Name of a listed scene; null for a tower of rows. */
+  scene: string | null;
   rows: number;
   seed: number;
-  /** True for the 2003 method with the future work of its text. */
-  extended: boolean;
+  /** Constants that are not at their defaults. */
+  constants: ConstantValues;
 }
+
+/** Values that a constant accepts. */
+export type ConstantRange =
+  | { kind: 'number' | 'number-or-none' | 'whole'; min: number; max: number }
+  | { kind: 'switch' }
+  | { kind: 'choice'; names: string[] };
+
+/** A constant of the 2003 method. */
+export interface ConstantEntry {
+  section: string;
+  name: string;
+  unit: string;
+  range: ConstantRange;
+  meaning: string;
+  /** Reason of the default. */
+  reason: string;
+  default: number | boolean | string | null;
+}
+
+/** A pointer on the screen, as a ray from the camera. */
+export interface Pointer2003 {
+  /** Position of the camera, m. */
+  origin: Vec;
+  direction: Vec;
+  /** The camera's z axis. */
+  toward_viewer: Vec;
+}
+
+/** Request to the hand of 2003. */
+export type Request2003 =
+  | { request: 'pick' | 'drag' | 'resume'; pointer: Pointer2003 }
+  /** `distance`: m. */
+  | { request: 'pull'; distance: number; toward_viewer: Vec }
+  | { request: 'release' };
+
+/** Question to the museum's worker. */
+export type MuseumQuestion = Question | { what: 'constants' } | { what: 'set'; values: ConstantValues };
+
+export type ToMuseum =
+  | Exclude<ToWorker<MuseumSetup>, { type: 'ask' }>
+  | { type: 'ask'; id: number; question: MuseumQuestion }
+  | { type: 'request'; world: number; request: Request2003 };
 
 /** Work of a frame of the 2003 method. */
 export interface Report2003 extends TimedReport {
   /** Largest number of rounds over the pairs in a step. */
   rounds: number;
-  /** Steps that ended with collisions left. */
+  /** Calls of the collision routine that ended with collisions left. */
   unresolved: number;
   /** Tests of the last step: pairs without culling, exact tests, and collisions. */
   tests: { potential: number; after_planes: number; collisions: number };
   /** Number of blocks that are not disabled. */
   active: number;
+  /** Velocity of the fastest block at the end of the frame, m/s. */
+  max_speed: number;
+  /** Disabled blocks. */
+  disabled: number[];
+  /**
+   * Block of the hand, target of its centre (m) and force on it (N); the force is null where the
+   * hand writes the velocity.
+   */
+  hand: { body: number; target: Vec; force: Vec | null } | null;
 }
 
 /** A frame, with the poses of the tower in wood. */

@@ -6,6 +6,8 @@ import type { MuseumFrame, MuseumSetup } from './protocol';
 
 export interface MuseumState extends PlayState<MuseumFrame> {
   setup: MuseumSetup;
+  /** True for the hand of 2003, false for that of the game. */
+  oldHand: boolean;
   /** True while the springs of the 2003 tower are drawn. */
   springs: boolean;
   /** True while the tower is on the screen. */

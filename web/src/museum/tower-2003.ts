@@ -3,7 +3,7 @@
 import { POSE_STRIDE, type Contact, type GameCommand, type Update } from '../engine/game-protocol';
 import { LATTICE_STRIDE } from '../view/lattice';
 import { SpaceGame } from '../wasm/teeter_museum.js';
-import type { Report2003 } from './protocol';
+import type { ConstantEntry, ConstantValues, Report2003, Request2003 } from './protocol';
 
 export class Game2003 {
   private readonly game: SpaceGame;
@@ -11,10 +11,15 @@ export class Game2003 {
   /** Throws an Error whose message is for the user. */
   constructor(
     scene: string,
-    extended: boolean,
+    constants: ConstantValues,
     private readonly memory: WebAssembly.Memory,
   ) {
-    this.game = new SpaceGame(scene, extended);
+    this.game = new SpaceGame(scene, JSON.stringify(constants));
+  }
+
+  /** Constants that can be set. */
+  static constants(): ConstantEntry[] {
+    return JSON.parse(SpaceGame.constants()) as ConstantEntry[];
   }
 
   free(): void {
@@ -48,6 +53,16 @@ export class Game2003 {
   /** Returns true if the command to place the body would be carried out. */
   canPlace(body: number): boolean {
     return body < this.game.length && this.game.canPlace(body);
+  }
+
+  /** Takes a request to the hand of 2003 for the next step. */
+  request(request: Request2003): void {
+    this.game.request(JSON.stringify(request));
+  }
+
+  /** Takes constants for the next step. Throws an Error where they are not accepted. */
+  setConstants(values: ConstantValues): void {
+    this.game.setConstants(JSON.stringify(values));
   }
 
   /** Carries out a command and steps by a frame. */

@@ -7,14 +7,15 @@ import { Game } from '../engine/game';
 import { FRAME, type TimedReport, type Update } from '../engine/game-protocol';
 import { Loop } from '../engine/loop';
 import { Speedometer } from '../engine/pacing';
-import type { FromWorker, Question, ToWorker } from '../engine/protocol';
+import type { FromWorker } from '../engine/protocol';
 import { sceneText } from '../engine/scene';
 import { errorText, guarded } from '../engine/worker-errors';
 import loadMuseum from '../wasm/teeter_museum.js';
 import loadEngine from '../wasm/teeter_wasm.js';
-import type { MuseumFrame, MuseumSetup, Report2003 } from './protocol';
+import type { ConstantValues, MuseumFrame, MuseumQuestion, MuseumSetup, Report2003, ToMuseum } from './protocol';
 import { Game2003 } from './tower-2003';
 
+const BLOCK = 'dissertation';
 /** Stiffness of the engine's contacts, N/m. */
 const STIFFNESS = 1e6;
 
@@ -103,11 +104,12 @@ function restart(): void {
 function build({ world: number, setup }: { world: number; setup: MuseumSetup }): void {
   let next: { engine: Game | null; old: Game2003 | null };
   try {
-    const { rows, seed, show, extended } = setup;
+    const { scene: name, rows, seed, show, constants } = setup;
     const choose = () => ({ form: 'rigid', stiffness: STIFFNESS, springs: null }) as const;
-    const scene = sceneText({ kind: 'tower', rows, seed, block: 'dissertation' }, choose);
+    const source = name ? ({ kind: 'named', name } as const) : ({ kind: 'tower', rows, seed, block: BLOCK } as const);
+    const scene = sceneText(source, choose);
     next = {
-      old: show === 'engine' ? null : new Game2003(scene, extended, memory.old),
+      old: show === 'engine' ? null : new Game2003(scene, constants, memory.old),
       engine: show === 'old' ? null : new Game(scene, true, memory.engine),
     };
   } catch (error) {
@@ -135,19 +137,40 @@ function build({ world: number, setup }: { world: number; setup: MuseumSetup }):
   restart();
 }
 
-function answer(question: Question): unknown {
+function answer(question: MuseumQuestion): unknown {
   const shown = engine ?? old;
-  if (!shown) return null;
-  return question.what === 'contacts' ? shown.contacts(question.body) : null;
+  switch (question.what) {
+    case 'constants':
+      return Game2003.constants();
+    case 'set':
+      return setConstants(question.values);
+    case 'contacts':
+      return shown && shown.contacts(question.body);
+    default:
+      return null;
+  }
 }
 
-function receive(message: ToWorker<MuseumSetup>): void {
+/** Returns null, or why the constants are not accepted. */
+function setConstants(values: ConstantValues): string | null {
+  try {
+    old?.setConstants(values);
+    return null;
+  } catch (error) {
+    return errorText(error);
+  }
+}
+
+function receive(message: ToMuseum): void {
   switch (message.type) {
     case 'build':
       build(message);
       break;
     case 'command':
       if (message.world === world) commands.add(message.number, message.command);
+      break;
+    case 'request':
+      if (message.world === world) old?.request(message.request);
       break;
     case 'watch':
       selected = message.watched.selected;
@@ -165,7 +188,7 @@ function receive(message: ToWorker<MuseumSetup>): void {
 Promise.all([loadEngine(), loadMuseum()]).then(
   ([ofEngine, ofOld]) => {
     memory = { engine: ofEngine.memory, old: ofOld.memory };
-    self.onmessage = (event: MessageEvent<ToWorker<MuseumSetup>>) => guard(() => receive(event.data));
+    self.onmessage = (event: MessageEvent<ToMuseum>) => guard(() => receive(event.data));
     send({ type: 'scenes', list: [] });
   },
   (error: unknown) => send({ type: 'failed', message: `the simulators did not load (${errorText(error)})` }),

@@ -6,25 +6,33 @@ import { Stage } from '../app/stage';
 import { initialPlay } from '../app/state';
 import { Store } from '../app/store';
 import type { Options } from '../app/url';
-import { Client } from '../engine/client';
 import type { Built } from '../engine/protocol';
 import { Hand } from '../hand/hand';
 import { Pointers } from '../hand/pointers';
 import type { RingState } from '../ui/force-ring';
 import { Notice, showTrouble } from '../ui/notice';
 import { Bodies } from '../view/bodies';
+import { pick } from '../view/picking';
 import { formatForce, unitOf } from '../view/force-scale';
+import { MuseumClient } from './client';
+import { ConstantsPanel } from './constants-panel';
 import { Controls, readSetup } from './controls';
 import { towerDistance } from './distance';
 import { Ghost } from './ghost';
+import { Hand2003 } from './hand-2003';
 import { createTowerInspect, type TowerInspect } from './inspect';
-import type { MuseumFrame, MuseumSetup } from './protocol';
+import { Pointers2003 } from './pointers-2003';
+import type { ConstantValues, MuseumFrame, MuseumSetup } from './protocol';
 import type { MuseumStore } from './state';
 
 /** Factor on the game's distance from the tower: no bars lie over the picture. */
 const ZOOM = 0.86;
 /** Change of the ghost's poses that is visible, m. */
 const VISIBLE = 1e-5;
+/** Red of a disabled block, as in the dissertation's Figure 6.22: red, green and blue in sRGB. */
+const DISABLED: [number, number, number] = [0.86, 0.14, 0.12];
+/** Opacity of that red on the wood. */
+const DISABLED_PART = 0.72;
 /** Duration of a notice about the tower, s. */
 const LONG = 6;
 
@@ -34,22 +42,33 @@ export class Tower {
   private readonly stage: Stage;
   private readonly ghostView = new Ghost();
   private readonly notice = new Notice();
-  private readonly client: Client<MuseumSetup, MuseumFrame>;
+  private readonly client: MuseumClient;
   private readonly hand: Hand;
+  /** The hand of 2003. */
+  private readonly oldHand: Hand2003;
+  private readonly oldPointers: Pointers2003;
   private readonly controls: Controls;
+  private readonly constants: ConstantsPanel;
   private ghost: Bodies | null = null;
+  /** Velocity of the fastest block of 2003 in this world, m/s. */
+  private maxSpeed = 0;
+  /** Blocks that are painted red, as text. */
+  private disabled = '';
   /** True once the player has been warned about the block in the hand. */
   private warned = false;
 
   /** Throws where the browser has no WebGL 2. */
   constructor(options: Options) {
     const setup = readSetup(options);
-    const store: MuseumStore = new Store({ ...initialPlay(options), setup, springs: false, onScreen: true });
+    const view = { springs: false, oldHand: false, onScreen: true };
+    const store: MuseumStore = new Store({ ...initialPlay(options), ...view, setup });
     this.store = store;
     this.stage = new Stage(options, store, ZOOM);
     this.stage.view.add(this.ghostView.group);
     this.client = this.connect();
     this.hand = new Hand(this.client, store, this.stage.orbit, () => this.stage.bodies!);
+    this.oldHand = new Hand2003(this.client, this.stage.orbit);
+    this.oldPointers = this.listenToOldHand();
     const { stage, hand } = this;
     const frame = () => stage.frame();
     const pointers = new Pointers(stage.canvas, store, hand, stage.orbit, { bodies: () => stage.bodies, frame });
@@ -57,11 +76,20 @@ export class Tower {
       build: change => this.build(change),
       pause: () => this.togglePause(),
       springs: () => this.toggleSprings(),
+      letGo: () => this.letGo(),
     });
+    this.constants = new ConstantsPanel(store, values => this.setConstants(values));
     this.subscribe();
     this.listen(frame);
     this.run();
-    this.inspect = createTowerInspect({ store, stage, hand, pointers });
+    this.inspect = createTowerInspect({
+      store,
+      stage,
+      hand,
+      pointers,
+      oldHand: this.oldHand,
+      maxSpeed: () => this.maxSpeed,
+    });
   }
 
   /** Takes whether the tower is on the screen: it is paused while it is not. */
@@ -73,14 +101,35 @@ export class Tower {
     this.store.set({ dark });
   }
 
-  private connect(): Client<MuseumSetup, MuseumFrame> {
+  private connect(): MuseumClient {
     const worker = new Worker(new URL('./tower-worker.ts', import.meta.url), { type: 'module' });
-    return new Client<MuseumSetup, MuseumFrame>(worker, {
-      scenes: () => this.build({}),
+    return new MuseumClient(worker, {
+      scenes: () => this.opened(),
       built: world => this.begin(world),
       frame: frame => this.receive(frame),
       refused: message => this.notice.show(`This tower cannot be built: ${message}`, 8),
       failed: message => showTrouble(`The simulation stopped: ${message}. Load the page again to start over.`),
+    });
+  }
+
+  /** Begins once the worker is ready. */
+  private opened(): void {
+    this.build({});
+    void this.client.constants().then(table => this.constants.begin(table));
+  }
+
+  private listenToOldHand(): Pointers2003 {
+    const { store, stage } = this;
+    const { canvas, orbit } = stage;
+    return new Pointers2003(canvas, this.oldHand, orbit, {
+      active: () => store.state.oldHand && store.state.setup.show === 'old',
+      paused: () => store.state.paused,
+      blockAt: (x, y) => stage.bodies && (pick(stage.bodies, orbit.camera.position, orbit.ray(x, y))?.body ?? null),
+      centre: body => stage.bodies!.position(body),
+      picked: body => {
+        canvas.focus({ preventScroll: true, focusVisible: false } as FocusOptions);
+        store.set({ hovered: null, selected: body });
+      },
     });
   }
 
@@ -90,6 +139,10 @@ export class Tower {
     store.subscribe(['paused', 'onScreen'], pause);
     document.addEventListener('visibilitychange', pause);
     store.subscribe(['selected'], ({ selected }) => client.watch({ springs: true, xray: false, selected }));
+    store.subscribe(['paused'], ({ paused }) => {
+      if (!paused && this.oldHand.holds) this.oldPointers.resume();
+    });
+    store.subscribe(['oldHand'], () => this.letGo());
     store.subscribe(['springs'], () => this.stage.view.invalidate());
     store.subscribe(['dark'], ({ dark }) => this.ghostView.setDark(dark));
     store.subscribe(['world'], ({ world, setup }) => {
@@ -105,6 +158,9 @@ export class Tower {
       springs: () => this.toggleSprings(),
       // Keys belong to the page unless the tower has the focus.
       busy: () => document.activeElement !== canvas,
+    });
+    window.addEventListener('keydown', event => {
+      if (event.key === 'Escape') this.oldHand.release();
     });
     canvas.addEventListener('pointerdown', () => {
       const options = { preventScroll: true, focusVisible: false };
@@ -133,8 +189,22 @@ export class Tower {
     });
   }
 
+  private letGo(): void {
+    this.hand.letGo();
+    this.oldHand.release();
+  }
+
+  /** Sets constants of the standing tower; returns null, or why they are not accepted. */
+  private async setConstants(values: ConstantValues): Promise<string | null> {
+    const refused = await this.client.setConstants(values);
+    const { setup } = this.store.state;
+    if (refused === null) this.store.set({ setup: { ...setup, constants: { ...setup.constants, ...values } } });
+    return refused;
+  }
+
   private build(change: Partial<MuseumSetup>): void {
     this.hand.letGo();
+    this.oldHand.reset();
     const setup = { ...this.store.state.setup, ...change };
     const springs = this.store.state.springs && setup.show === 'old';
     this.store.set({ setup, springs, paused: false });
@@ -147,6 +217,8 @@ export class Tower {
     this.ghost = both ? new Bodies(world.sizes, world.poses.slice(), world.particleOffset) : null;
     this.ghostView.hide();
     this.warned = false;
+    this.disabled = '';
+    this.maxSpeed = 0;
     this.store.set({ world, frame: null, selected: null });
   }
 
@@ -156,7 +228,9 @@ export class Tower {
     if (frame.ghost) this.ghost?.arrive(frame.ghost.poses, frame.ghost.lattices);
     const stood = this.store.state.frame?.update.tower !== 'fallen';
     this.store.set({ frame });
+    this.maxSpeed = Math.max(this.maxSpeed, frame.old?.max_speed ?? 0);
     this.hand.receive(frame);
+    this.showDisabled();
     if (!frame.update.hand) this.warned = false;
     else this.warn();
     const both = this.store.state.setup.show === 'both';
@@ -171,6 +245,18 @@ export class Tower {
     if (show !== 'old' || !hand.carries || this.warned || hand.slots.length > 0) return;
     this.warned = true;
     this.notice.show('This one lies across the slots on top, and the hand of 2003 cannot turn it.', LONG);
+  }
+
+  /** Paints the disabled blocks of the tower of 2003 red. */
+  private showDisabled(): void {
+    const { frame, setup } = this.store.state;
+    const disabled = new Set(setup.show === 'old' ? frame?.old?.disabled : []);
+    const key = [...disabled].join();
+    if (key === this.disabled) return;
+    this.disabled = key;
+    const count = this.stage.bodies?.count ?? 0;
+    const colours = Array.from({ length: count }, (_, body) => (disabled.has(body) ? DISABLED : null));
+    this.stage.view.stain(colours, DISABLED_PART);
   }
 
   private togglePause(): void {
@@ -201,7 +287,7 @@ export class Tower {
   private readout(): void {
     const { frame, springs } = this.store.state;
     const { hand, controls, stage } = this;
-    controls.showHand(hand.canPlace(), hand.holds, hand.carries);
+    controls.showHand(hand.canPlace(), hand.holds || this.oldHand.holds, hand.carries);
     if (!frame || !stage.bodies) return;
     const unit = unitOf(stage.forces.end);
     controls.showReadouts({

@@ -183,14 +183,15 @@ export class TowerView {
    * Stains each block with its colour (red, green and blue as on the screen) by a part from 0 to 1;
    * null leaves wood.
    */
-  stain(colours: [number, number, number][] | null, part = 1): void {
+  stain(colours: ([number, number, number] | null)[] | null, part = 1): void {
     const tint = this.mesh?.geometry.getAttribute('tint');
     if (!tint) return;
     const colour = new Color();
     for (let body = 0; body < tint.count; body++) {
-      const [r, g, b] = colours?.[body] ?? [0, 0, 0];
+      const stain = colours?.[body] ?? null;
+      const [r, g, b] = stain ?? [0, 0, 0];
       colour.setRGB(r, g, b, SRGBColorSpace);
-      tint.setXYZW(body, colour.r, colour.g, colour.b, colours ? part : 0);
+      tint.setXYZW(body, colour.r, colour.g, colour.b, stain ? part : 0);
     }
     tint.needsUpdate = true;
     this.stale = true;

@@ -6,6 +6,7 @@ import { afterAll, beforeAll, expect, test } from 'vitest';
 import { EXHIBITS } from '../../src/museum/catalogue';
 import type { Method } from '../../src/museum/protocol';
 import { contrast, displacements, drag, host, Session, type Host } from './browser';
+import { facing, open, simulate, SMALL, tower } from './museum-page';
 
 let chrome: Host;
 beforeAll(async () => {
@@ -13,53 +14,11 @@ beforeAll(async () => {
 });
 afterAll(() => chrome?.stop());
 
-const SMALL = 'view=small&scale=0.2';
 const METHODS = EXHIBITS.map(e => e.method);
-
-async function open(query: string, options: Parameters<typeof Session.open>[2] = {}): Promise<Session> {
-  const session = await Session.open(chrome, query, { path: 'museum.html', ready: false, ...options });
-  await session.page.waitForFunction(() => window.museum?.tower?.ready);
-  return session;
-}
-
-const tower = (page: Page) =>
-  page.evaluate(() => {
-    const { time, show, count, poses, ghost, hand, springs } = window.museum.tower!;
-    return { time, show, count, poses, ghost, hand, springs };
-  });
-
-/** Waits until the tower's simulated time has gone on by `seconds`. */
-async function simulate(page: Page, seconds: number): Promise<void> {
-  const until = (await tower(page)).time + seconds;
-  await page.waitForFunction(t => window.museum.tower!.time >= t, until);
-}
-
-/**
- * A block between the first and the last row whose end faces the viewer: on the page where it is,
- * and where it goes to come out.
- */
-async function facing(page: Page) {
-  const { x, y } = (await page.locator('#picture').boundingBox())!;
-  const found = await page.evaluate(() => {
-    const t = window.museum.tower!;
-    for (let body = t.count - 4; body >= 3; body--) {
-      for (const side of [1, -1]) {
-        const half = (side * t.sizes[3 * body]) / 2;
-        const at = t.screenOf(body, [half, 0, 0]);
-        if (t.blockAt(at.x, at.y) !== body || at.y <= t.screenOf(body).y) continue;
-        return { body, at, out: t.screenOf(body, [half + side * 0.1, 0, 0]) };
-      }
-    }
-    return null;
-  });
-  if (!found) return null;
-  const onPage = (p: { x: number; y: number }) => ({ x: x + p.x, y: y + p.y });
-  return { body: found.body, at: onPage(found.at), out: onPage(found.out) };
-}
 
 test('opens without a complaint, makes no requests elsewhere, and draws the tower and every method', async () => {
   const foreign: string[] = [];
-  await using session = await open('quality=low&scale=0.5', {
+  await using session = await open(chrome, 'quality=low&scale=0.5', {
     before: async page => {
       page.on('request', request => {
         if (!/^(http:\/\/127\.0\.0\.1:|data:|blob:)/.test(request.url())) foreign.push(request.url());
@@ -79,7 +38,7 @@ test('opens without a complaint, makes no requests elsewhere, and draws the towe
 });
 
 test('a block of the tower of 2003 comes out under the mouse, and its springs can be seen', async () => {
-  await using session = await open(SMALL);
+  await using session = await open(chrome, SMALL);
   const { page } = session;
   const before = await tower(page);
   expect(before).toMatchObject({ show: 'old', count: 18, ghost: null });
@@ -102,7 +61,7 @@ test('a block of the tower of 2003 comes out under the mouse, and its springs ca
 });
 
 test('the ghost takes each frame with the engine and the same hand, and the page says how far the two are apart', async () => {
-  await using session = await open(`${SMALL}&show=both`);
+  await using session = await open(chrome, `${SMALL}&show=both`);
   const { page } = session;
   const read = () =>
     page.evaluate(() => {
@@ -143,7 +102,7 @@ test('the ghost takes each frame with the engine and the same hand, and the page
 });
 
 test('the method is chosen with the keys, and the tower stands still while it is not seen', async () => {
-  await using session = await open(SMALL);
+  await using session = await open(chrome, SMALL);
   const { page } = session;
   await page.focus('input[value="old"]');
   await page.keyboard.press('ArrowRight');
@@ -190,7 +149,7 @@ const stack = (method: Method) =>
   String(EXHIBITS.find(e => e.method === method)!.sceneries.findIndex(s => s.setting === 'stack'));
 
 test.each(METHODS)('%s: runs, takes a block more, a pointer pulls, and it begins again', async method => {
-  await using session = await open(SMALL);
+  await using session = await open(chrome, SMALL);
   const { page } = session;
   const canvas = await visit(page, method);
   await page.selectOption(part(method, 'scenery'), stack(method));
@@ -239,7 +198,7 @@ test.each(METHODS)('%s: runs, takes a block more, a pointer pulls, and it begins
 });
 
 test('a falling stack reaches the limit of the constraints (Figure 3.3) and needs a couple of rounds of springs (Figure 3.5)', async () => {
-  await using session = await open(SMALL);
+  await using session = await open(chrome, SMALL);
   const { page } = session;
   const numbers = async (method: Method) => {
     await visit(page, method);
@@ -262,7 +221,7 @@ test.each([
   [1280, 800],
 ])('at %i x %i nothing leaves the page sideways, and targets are large enough', async (width, height) => {
   const phone = width < 1000;
-  await using session = await open(SMALL, { viewport: { width, height }, hasTouch: phone, isMobile: phone });
+  await using session = await open(chrome, SMALL, { viewport: { width, height }, hasTouch: phone, isMobile: phone });
   const problems = await session.page.evaluate(() => {
     const found: string[] = [];
     for (const element of document.querySelectorAll<HTMLElement>('button, a, select, .segments label, canvas')) {
