@@ -14,20 +14,16 @@ pub(crate) fn create_folder(path: &Path) -> Result<(), Error> {
     fs::create_dir_all(path).map_err(|source| Error::CreateFolder { path: path.to_owned(), source })
 }
 
-/// Creates a file that [`finish_file`] writes.
+/// Creates a file that appears whole or not at all.
 pub(crate) fn create_file(path: &Path) -> Result<OutFile, Error> {
     OutFile::create(path).map_err(|source| Error::WriteFile { path: path.to_owned(), source })
 }
 
-/// Writes a text to the file of a path, and finishes it.
-pub(crate) fn finish_file(mut file: OutFile, path: &Path, text: &str) -> Result<(), Error> {
-    let written = file.write_all(text.as_bytes()).and_then(|()| file.finish());
-    written.map_err(|source| Error::WriteFile { path: path.to_owned(), source })
-}
-
 /// Writes a text file.
 pub(crate) fn write_file(path: &Path, text: &str) -> Result<(), Error> {
-    finish_file(create_file(path)?, path, text)
+    let mut file = create_file(path)?;
+    let written = file.write_all(text.as_bytes()).and_then(|()| file.finish());
+    written.map_err(|source| Error::WriteFile { path: path.to_owned(), source })
 }
 
 /// Returns a progress bar of `length` steps on standard error; it stays hidden where that is no

@@ -1,6 +1,7 @@
 //! Interface of the simulators that the report compares.
 
 use glam::DVec3;
+use teeter_dissertation::jenga3d::counters::Rounds;
 
 /// Block held by a hand.
 #[derive(Debug, Clone, Copy)]
@@ -20,6 +21,8 @@ pub struct FrameReport {
     pub operations: f64,
     /// True for each block that is disabled or asleep.
     pub resting: Vec<bool>,
+    /// Rounds over the pairs; all zero for the engine, which has none.
+    pub rounds: Rounds,
 }
 
 /// Tower that is simulated a frame at a time.

@@ -7,10 +7,6 @@ use teeter_dissertation::jenga3d::counters::{Counters, TESTS_OF_PAIR};
 use teeter_dissertation::jenga3d::{Disabling, Jenga3D, Method};
 use teeter_physics::{StepReport, World};
 
-/// Operations per second of the core for which frame rates are computed: one a cycle at 2 GHz, of
-/// the four and more that such cores do.
-pub const CORE: f64 = 2e9;
-
 /// Spring between two particles: elongation, its rate, and a force on both.
 const SPRING: f64 = 35.0;
 /// Integration of a particle.
@@ -27,6 +23,11 @@ const ROOTS: f64 = 300.0;
 /// Collision response, and the boxes around the moved parts.
 const RESPONSE: f64 = 300.0;
 
+/// Operations of the forces on a block and of its integration, once.
+pub fn of_block(springs: usize) -> f64 {
+    springs as f64 * SPRING + CORNERS as f64 * PARTICLE
+}
+
 /// Operations of a frame of the 2003 method in which `tests` were made.
 pub fn of_springs(simulator: &Jenga3D, tests: &Counters) -> f64 {
     let c = &simulator.constants;
@@ -37,9 +38,8 @@ pub fn of_springs(simulator: &Jenga3D, tests: &Counters) -> f64 {
         Method::Multi => c.iterations_per_frame,
     };
     let moving = simulator.model.blocks.iter().filter(|b| b.active || c.disabling != Disabling::Rigid).count() as f64;
-    let block = SPRINGS as f64 * SPRING + CORNERS as f64 * PARTICLE;
     let pairs = |tests: u64| tests as f64 / TESTS_OF_PAIR as f64;
-    f64::from(c.mid_loop_count * forces) * moving * block
+    f64::from(c.mid_loop_count * forces) * moving * of_block(SPRINGS)
         + pairs(tests.potential) * BOXES
         + pairs(tests.after_blocks) * PARTS * BOXES
         + tests.after_boxes as f64 * (BOXES + CUBIC)
@@ -64,7 +64,7 @@ const DETECTION: f64 = 3000.0;
 pub fn of_world(world: &World, report: &StepReport) -> f64 {
     let lattices = world.spring_stiffness().is_some();
     let contact = CONTACT + POINTS * POINT + if lattices { CONTACT_OF_LATTICES } else { 0.0 };
-    let body = if lattices { SPRINGS as f64 * SPRING + CORNERS as f64 * PARTICLE } else { BODY };
+    let body = if lattices { of_block(SPRINGS) } else { BODY };
     f64::from(report.substeps) * (f64::from(report.manifolds) * contact + f64::from(report.awake) * body)
         + f64::from(report.detections) * DETECTION
 }

@@ -1,12 +1,12 @@
 //! Figure 6.22: disabled blocks of a tower at rest, by the dissertation's rule and by others.
 
-use indicatif::ProgressBar;
 use maud::{Markup, html};
 use rayon::prelude::*;
 use teeter_dissertation::jenga3d::{Constants, Disabling};
 use teeter_scene::{Scene, TowerOptions, tower};
 
 use super::column::{Build, COLUMNS, ENGINE};
+use super::part::Inputs;
 use super::picture::{self, Highlight};
 use super::springs::Springs;
 use super::tower::Tower;
@@ -45,7 +45,7 @@ fn measure(scene: &Scene, name: &str, build: Build) -> Result<(Vec<String>, Mark
 }
 
 /// Counts disabled blocks.
-pub fn run(bar: &ProgressBar) -> Result<Markup, Error> {
+pub fn run(Inputs { bar, .. }: Inputs) -> Result<Markup, Error> {
     let scene = tower(&TowerOptions { rows: 6, ..TowerOptions::default() })?;
     let mut cases: Vec<(String, Build)> = vec![
         ("2003 method, its rule (appendix 2.5)".into(), COLUMNS[0].build),

@@ -1,6 +1,7 @@
 //! Engine of Teeter, with rigid blocks or lattices.
 
 use glam::{DQuat, DVec3};
+use teeter_dissertation::jenga3d::counters::Rounds;
 use teeter_physics::{BodyId, BuildError, Grip, Hand, Input, Params, Pose, Twist, World};
 use teeter_scene::{Form, Scene};
 
@@ -17,12 +18,12 @@ pub struct Engine {
 }
 
 impl Engine {
-    /// Builds a scene with blocks of a form.
+    /// Builds a scene with blocks of a form, which sleep at rest or not.
     ///
     /// # Errors
     /// When the scene is not valid.
-    pub fn new(scene: &Scene, form: Form) -> Result<Self, BuildError> {
-        let world = World::new(&Scene { form, ..scene.clone() }, Params::default())?;
+    pub fn new(scene: &Scene, form: Form, sleep: bool) -> Result<Self, BuildError> {
+        let world = World::new(&Scene { form, ..scene.clone() }, Params { sleep, ..Params::default() })?;
         Ok(Self { world, inset: scene.springs.particles.inset(), grasped: None })
     }
 
@@ -49,6 +50,7 @@ impl Backend for Engine {
         FrameReport {
             operations: cost::of_world(&self.world, &report),
             resting: self.world.bodies().map(|body| self.world.is_asleep(body)).collect(),
+            rounds: Rounds::default(),
         }
     }
 

@@ -6,28 +6,38 @@ mod column;
 mod cost;
 mod disabled;
 mod engine;
+mod fewer_springs;
 mod frame_rate;
 mod length;
 mod moves;
+mod oriented_box;
+mod overlap;
+mod part;
 mod parts;
 mod picture;
 mod plane_methods;
+mod played;
 mod requirements;
+mod rounds;
 mod soft_springs;
 mod springs;
 mod static_tests;
+mod step_size;
 mod table_5_2;
 mod tower;
 
+use std::fs;
 use std::path::{Path, PathBuf};
 
+use indicatif::ProgressBar;
 use maud::html;
 use rayon::prelude::*;
 
 use crate::error::Error;
-use crate::output::{create_file, create_folder, finish_file, progress};
+use crate::output::{create_file, create_folder, progress, write_file};
 use crate::page::{Page, PageSection};
-use parts::{PARTS, Part};
+use part::{Inputs, Part};
+use parts::PARTS;
 
 /// Names of the parts of the report, in the order of the page.
 pub fn part_names() -> impl Iterator<Item = &'static str> {
@@ -37,39 +47,58 @@ pub fn part_names() -> impl Iterator<Item = &'static str> {
 /// Runs the parts named, all where none is, writes them as `index.html` into a folder and returns
 /// the path of the page.
 ///
+/// The other parts of a page that is there stay, marked as those of an earlier run. The page
+/// appears whole or not at all: until then the one before stays.
+///
 /// # Errors
 /// When a scene cannot be built or the page cannot be written.
 pub fn write(out: &Path, only: &[String]) -> Result<PathBuf, Error> {
     let parts: Vec<&Part> =
         PARTS.iter().filter(|part| only.is_empty() || only.iter().any(|name| name == part.name)).collect();
+    write_parts(out, &parts)
+}
+
+fn write_parts(out: &Path, parts: &[&Part]) -> Result<PathBuf, Error> {
     create_folder(out)?;
     let path = out.join("index.html");
     // Now, so that a folder without permission is reported before minutes of experiments.
-    let file = create_file(&path)?;
-    finish_file(file, &path, &page(run(&parts)?).html())?;
+    drop(create_file(&path)?);
+    let mut sections = run(parts)?;
+    let before = fs::read_to_string(&path).unwrap_or_default();
+    let is_new = |id: &str| parts.iter().any(|part| part.name == id);
+    sections.extend(PageSection::kept_from(&before).into_iter().filter(|section| !is_new(&section.id)));
+    let index = |section: &PageSection| PARTS.iter().position(|part| part.name == section.id);
+    sections.sort_by_key(index);
+    write_file(&path, &page(sections).html())?;
     Ok(path)
 }
 
-/// Runs parts in parallel, except those that measure time: they run first, one by one on one
-/// thread.
+/// Runs parts: first those that measure time, one by one on one thread, then the moves where a part
+/// needs them, then all experiments in parallel.
 fn run(parts: &[&Part]) -> Result<Vec<PageSection>, Error> {
-    let bar = progress(parts.iter().map(|part| part.steps).sum(), "experiments");
+    let needs_moves = parts.iter().any(|part| part.moves);
+    let steps: u64 = parts.iter().map(|part| part.steps).sum();
+    let bar = progress(steps + if needs_moves { moves::STEPS } else { 0 }, "experiments");
     bar.tick();
-    let mut sections: Vec<Option<PageSection>> = vec![None; parts.len()];
-    let section = |part: &Part| {
-        let (id, title) = (part.name.to_owned(), part.title.to_owned());
-        Ok::<_, Error>(Some(PageSection { id, title, content: (part.run)(&bar)? }))
-    };
-    let single = rayon::ThreadPoolBuilder::new().num_threads(1).build()?;
-    for (slot, part) in sections.iter_mut().zip(parts).filter(|(_, part)| part.timed) {
-        *slot = single.install(|| section(part))?;
-    }
-    sections.par_iter_mut().zip(parts).filter(|(_, part)| !part.timed).try_for_each(|(slot, part)| {
-        *slot = section(part)?;
-        Ok::<(), Error>(())
-    })?;
+    let times = time(parts, &bar)?;
+    let played = if needs_moves { moves::play_columns(&bar)? } else { Vec::new() };
+    let sections = parts
+        .par_iter()
+        .zip(&times)
+        .map(|(part, times)| {
+            let played = if part.moves { played.as_slice() } else { &[] };
+            let content = (part.run)(Inputs { bar: &bar, times, played })?;
+            Ok(PageSection::new(part.name, part.title, content))
+        })
+        .collect::<Result<_, Error>>()?;
     bar.finish_and_clear();
-    Ok(sections.into_iter().flatten().collect())
+    Ok(sections)
+}
+
+/// Returns the times of each part, measured on one thread.
+fn time(parts: &[&Part], bar: &ProgressBar) -> Result<Vec<Vec<f64>>, Error> {
+    let single = rayon::ThreadPoolBuilder::new().num_threads(1).build()?;
+    single.install(|| parts.iter().map(|part| part.clock.map_or(Ok(Vec::new()), |clock| clock(bar))).collect())
 }
 
 fn page(sections: Vec<PageSection>) -> Page {
@@ -88,4 +117,64 @@ fn page(sections: Vec<PageSection>) -> Page {
         }
     };
     Page { title: "The dissertation's results, again".into(), introduction, sections }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn part(name: &'static str, run: fn(Inputs) -> Result<maud::Markup, Error>) -> Part {
+        Part { name, title: "Title", steps: 0, clock: None, moves: false, run }
+    }
+
+    fn files(folder: &Path) -> Vec<String> {
+        fs::read_dir(folder).unwrap().map(|entry| entry.unwrap().file_name().into_string().unwrap()).collect()
+    }
+
+    #[test]
+    fn a_part_that_fails_leaves_the_page_before_and_nothing_beside_it() {
+        let folder = tempfile::tempdir().unwrap();
+        let path = folder.path().join("index.html");
+        fs::write(&path, "the page before").unwrap();
+        let failing = part("moves", |_| Err(Error::NoPulls));
+        write_parts(folder.path(), &[&failing]).unwrap_err();
+        assert_eq!(fs::read_to_string(&path).unwrap(), "the page before");
+        assert_eq!(files(folder.path()), ["index.html"]);
+    }
+
+    /// While the experiments run, the folder holds the page before and no other file: a run that is
+    /// killed leaves just that.
+    #[test]
+    fn nothing_is_written_before_the_experiments_end() {
+        let folder = tempfile::tempdir().unwrap();
+        let path = folder.path().join("index.html");
+        fs::write(&path, "the page before").unwrap();
+        let times = time(&[&part("moves", |_| Ok(html! {}))], &ProgressBar::hidden()).unwrap();
+        assert_eq!(times, [Vec::<f64>::new()]);
+        static SEEN: std::sync::Mutex<Vec<String>> = std::sync::Mutex::new(Vec::new());
+        static FOLDER: std::sync::OnceLock<PathBuf> = std::sync::OnceLock::new();
+        FOLDER.set(folder.path().to_owned()).unwrap();
+        let observing = part("moves", |_| {
+            *SEEN.lock().unwrap() = files(FOLDER.get().unwrap());
+            Ok(html! {})
+        });
+        write_parts(folder.path(), &[&observing]).unwrap();
+        assert_eq!(*SEEN.lock().unwrap(), ["index.html"]);
+        assert!(fs::read_to_string(&path).unwrap().contains("<section id=\"moves\">"));
+    }
+
+    #[test]
+    fn parts_that_run_one_by_one_make_one_page_in_its_order() {
+        let folder = tempfile::tempdir().unwrap();
+        let one = |name: &'static str, run| write_parts(folder.path(), &[&part(name, run)]).unwrap();
+        one("moves", |_| Ok(html! { p { "one and only" } }));
+        one("table-5.2", |_| Ok(html! { p { "of the table" } }));
+        let path = one("moves", |_| Ok(html! { p { "once more" } }));
+        let page = fs::read_to_string(path).unwrap();
+        let order = ["<section id=\"table-5.2\">", "of the table", "<section id=\"moves\">", "once more"];
+        let found: Vec<usize> = order.iter().map(|text| page.find(text).unwrap()).collect();
+        assert!(found.is_sorted(), "{page}");
+        assert!(!page.contains("one and only"));
+        assert_eq!(page.matches("earlier run").count(), 1, "{page}");
+    }
 }

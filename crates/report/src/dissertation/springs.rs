@@ -30,6 +30,7 @@ impl Backend for Springs {
         let report = self.0.frame(hand.as_ref());
         FrameReport {
             operations: cost::of_springs(&self.0, &report.tests),
+            rounds: report.rounds,
             resting: self.0.model.blocks.iter().map(|block| !block.active).collect(),
         }
     }

@@ -1,6 +1,5 @@
 //! Six static tests (section 6.1.1), before and after.
 
-use indicatif::ProgressBar;
 use maud::{Markup, html};
 use rayon::prelude::*;
 use teeter_scene::named;
@@ -8,6 +7,7 @@ use teeter_study::{Cuboid, Footing};
 
 use super::column::{COLUMNS, Column, headings};
 use super::length::mm;
+use super::part::Inputs;
 use super::picture::{self, Highlight};
 use super::tower::{FRAME_RATE, Tower};
 use crate::error::Error;
@@ -72,7 +72,7 @@ fn run_one(column: &Column, scene: &str) -> Result<(Outcome, Markup), Error> {
 }
 
 /// Runs all tests.
-pub fn run(bar: &ProgressBar) -> Result<Markup, Error> {
+pub fn run(Inputs { bar, .. }: Inputs) -> Result<Markup, Error> {
     let jobs: Vec<(&str, &Column)> =
         TESTS.iter().flat_map(|test| COLUMNS.iter().map(|column| (test.0, column))).collect();
     let results: Vec<(Outcome, Markup)> = jobs

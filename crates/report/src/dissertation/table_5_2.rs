@@ -8,13 +8,14 @@ use teeter_dissertation::jenga3d::counters::{StepCounts, tests};
 use teeter_dissertation::jenga3d::{Constants, Culling, Disabling, Jenga3D};
 use teeter_scene::{TowerOptions, tower};
 
+use super::part::Inputs;
 use super::springs::Springs;
 use crate::error::Error;
 use crate::table::Table;
 
 /// Number of experiments of [`counts`].
 pub const STEPS: u64 = (ROWS.len() * READINGS.len()) as u64;
-/// Number of experiments of [`culling`].
+/// Number of experiments of [`time_culling`].
 pub const CULLING_STEPS: u64 = LEVELS.len() as u64;
 
 /// Levels of culling, and whether the bounding boxes are compared as listed.
@@ -67,7 +68,7 @@ fn counts_of(rows: u32, listed_boxes: bool) -> Result<[f64; 5], Error> {
 }
 
 /// Counts the tests of each level, beside the printed table.
-pub fn counts(bar: &ProgressBar) -> Result<Markup, Error> {
+pub fn counts(Inputs { bar, .. }: Inputs) -> Result<Markup, Error> {
     let cases: Vec<(u32, bool)> = ROWS.iter().flat_map(|rows| READINGS.map(|(_, listed)| (*rows, listed))).collect();
     let counted: Vec<[f64; 5]> = cases
         .par_iter()
@@ -77,15 +78,18 @@ pub fn counts(bar: &ProgressBar) -> Result<Markup, Error> {
             counts
         })
         .collect::<Result<_, _>>()?;
-    let formula: Vec<String> =
-        ROWS.iter().map(|rows| format!("{rows} rows {}", 2 * tests(u64::from(3 * rows)))).collect();
+    let formula: Vec<String> = ROWS.iter().map(|rows| (2 * tests(u64::from(3 * rows))).to_string()).collect();
+    let listed = Ratios::of(&counted);
+    let printed_per_collision =
+        list(&PRINTED[3].iter().zip(PRINTED[4]).map(|(left, hits)| *left as f64 / hits as f64).collect::<Vec<_>>());
     Ok(html! {
         (table(&counted))
         p {
-            "The printed columns are headed 6, 9 and 18 blocks. They are rows: 168 n (n - 1) tests \
-             of section 4.4.3 for 18, 27 and 54 blocks, twice because " code { "CollideBlocks" } " \
-             is called twice a step, give " (formula.join(", ")) ", as printed. The printed second \
-             line is exactly nine pairs for each two neighbouring rows. The counts of this \
+            "The printed columns are headed 6, 9 and 18 blocks. They are rows: twice the 168 n (n \
+             - 1) tests of section 4.4.3 is " (formula.join(", ")) " for 18, 27 and 54 blocks, as \
+             printed. Here the two are the calls of " code { "CollideBlocks" } " in a step; a loop \
+             over the pairs in both orders would give the same. The printed second line is exactly \
+             nine pairs for each two neighbouring rows. The counts of this \
              implementation are means over 160 steps of a tower that has settled for half a \
              second; blocks of one row have their boxes 0.3 mm apart, and count once they have \
              moved together."
@@ -93,11 +97,14 @@ pub fn counts(bar: &ProgressBar) -> Result<Markup, Error> {
         p {
             "Figure 5.5 compares in the first of its inner loops, over the corners p1 of one block \
              and the faces f2 of the other, the boxes of p2 and f1. So it keeps each corner for \
-             every face that meets the other block, near or not. Counted as listed, all lines are \
-             close to the printed ones, and four to five times as many tests are left as there are \
-             collisions, as the text says. Corrected, the boxes leave a sixth to an eighth of \
-             that. The collisions are the same except for corners that pass a face by less than \
-             0.1 µm."
+             every face that meets the other block, near or not. Counted as listed, the last three \
+             lines are " (listed.of_printed) " of the printed ones, and " (listed.per_collision) " \
+             times as many tests are left as there are collisions. The text has \"about 4-5 \
+             times\", its table " (printed_per_collision) ". Corrected, the boxes leave \
+             " (listed.corrected) " of the tests as listed. The collisions are the same except for \
+             corners that pass a face by less than 0.1 µm. The rest of the difference is the same \
+             in all three lines: how often touching blocks collide, which depends on constants \
+             that the text does not give."
         }
     })
 }
@@ -120,8 +127,39 @@ fn table(counted: &[[f64; 5]]) -> Table {
     Table::new(head, NAMES.iter().enumerate().map(|(n, name)| row(n, name)).collect())
 }
 
-/// Times a step with each level of culling.
-pub fn culling(bar: &ProgressBar) -> Result<Markup, Error> {
+/// Ratios of the counts, as text.
+struct Ratios {
+    /// Smallest and largest ratio of the last three lines as listed to those printed.
+    of_printed: String,
+    /// Tests left as listed for each collision, by height.
+    per_collision: String,
+    /// Smallest and largest part of the tests as listed that the corrected boxes leave.
+    corrected: String,
+}
+
+impl Ratios {
+    /// Ratios of counts that have the readings of each height in turn.
+    fn of(counted: &[[f64; 5]]) -> Self {
+        let heights = || counted.chunks(READINGS.len()).enumerate();
+        let of_printed: Vec<f64> =
+            heights().flat_map(|(h, counts)| (2..5).map(move |n| counts[0][n] / PRINTED[n][h] as f64)).collect();
+        let per_collision: Vec<f64> = heights().map(|(_, counts)| counts[0][3] / counts[0][4]).collect();
+        let corrected: Vec<f64> = heights().map(|(_, counts)| counts[1][2] / counts[0][2]).collect();
+        Self { of_printed: range(&of_printed), per_collision: list(&per_collision), corrected: range(&corrected) }
+    }
+}
+
+fn range(values: &[f64]) -> String {
+    let (min, max) = values.iter().fold((f64::INFINITY, 0.0f64), |(min, max), v| (min.min(*v), max.max(*v)));
+    format!("{min:.2} to {max:.2}")
+}
+
+fn list(values: &[f64]) -> String {
+    values.iter().map(|v| format!("{v:.1}")).collect::<Vec<_>>().join(", ")
+}
+
+/// Times a step with each level of culling, s.
+pub fn time_culling(bar: &ProgressBar) -> Result<Vec<f64>, Error> {
     let mut times = Vec::new();
     for (culling, listed_boxes, _) in LEVELS {
         let mut simulator = settled(6, Constants { skip_unchanged: false, listed_boxes, ..Constants::default() })?;
@@ -134,6 +172,11 @@ pub fn culling(bar: &ProgressBar) -> Result<Markup, Error> {
         times.push(clock.elapsed().as_secs_f64() / f64::from(steps));
         bar.inc(1);
     }
+    Ok(times)
+}
+
+/// Shows the times of a step with each level of culling.
+pub fn culling(Inputs { times, .. }: Inputs) -> Result<Markup, Error> {
     let row = |n: usize| {
         vec![LEVELS[n].2.to_owned(), format!("{:.0}", 1e6 * times[n]), format!("{:.1}", times[0] / times[n])]
     };

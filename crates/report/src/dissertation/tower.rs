@@ -1,6 +1,7 @@
 //! Tower under one of the simulators, and geometry of its blocks.
 
 use glam::DVec3;
+use teeter_dissertation::jenga3d::counters::Rounds;
 
 use super::backend::{Backend, FrameReport, Grasp};
 
@@ -11,17 +12,21 @@ pub const FRAME_RATE: f64 = 60.0;
 pub struct Tower {
     backend: Box<dyn Backend>,
     last: FrameReport,
+    rounds: Rounds,
+    frames: u64,
 }
 
 impl Tower {
     /// Tower of a simulator before its first frame.
     pub fn new(backend: impl Backend + 'static) -> Self {
-        Self { backend: Box::new(backend), last: FrameReport::default() }
+        Self { backend: Box::new(backend), last: FrameReport::default(), rounds: Rounds::default(), frames: 0 }
     }
 
     /// Advances by a frame under a hand.
     pub fn step(&mut self, hand: Option<&Grasp>) {
         self.last = self.backend.step(hand);
+        self.rounds += self.last.rounds;
+        self.frames += 1;
     }
 
     /// Advances by `frames` without a hand.
@@ -39,6 +44,16 @@ impl Tower {
     /// Floating-point operations of the last frame.
     pub fn operations(&self) -> f64 {
         self.last.operations
+    }
+
+    /// Rounds over the pairs in all frames.
+    pub fn rounds(&self) -> Rounds {
+        self.rounds
+    }
+
+    /// Number of frames.
+    pub fn frames(&self) -> u64 {
+        self.frames
     }
 
     /// Returns true if a block was disabled or asleep in the last frame.

@@ -82,7 +82,7 @@ impl Section {
             div.charts { @for chart in &self.charts { (chart) } }
             @for table in self.tables.iter().filter(|table| !table.rows.is_empty()) { (table) }
         };
-        PageSection { id: self.name.to_owned(), title: self.title.to_owned(), content }
+        PageSection::new(self.name, self.title, content)
     }
 
     /// Rows of the summary: each figure with a goal, linked to its section.

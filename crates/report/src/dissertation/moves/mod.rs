@@ -2,29 +2,38 @@
 //! from one and two centimetres.
 
 mod player;
+mod speeds;
 
 use indicatif::ProgressBar;
 use maud::{Markup, html};
 use rayon::prelude::*;
+use teeter_dissertation::jenga3d::counters::Rounds;
 
 use player::Move::{self, Put, Take};
-use player::{LAID, LOOSE, SLOWLY};
-pub use player::{Outcome, play};
+use player::{LAID, LOOSE, SLOWLY, play};
+pub use speeds::STEPS as SPEED_STEPS;
 
 use super::column::{COLUMNS, Column, headings};
 use super::length::mm;
+use super::overlap::max_depth;
+use super::part::Inputs;
 use super::picture::{self, Highlight};
+use super::played::{Outcome, Played};
 use crate::error::Error;
 use crate::table::Table;
 
 /// Speed of a quick move, m/s.
 ///
-/// A block that bears load drags the blocks above while it slides, for L / v, and so by about a L²
-/// / (2 v²), where a is their acceleration by friction: about 2 m/s² where 4-3 has half of the
-/// tower above it. That is 2 mm at 2 m/s, and 70 mm at 0.3 m/s.
+/// A block that bears load drags the blocks above while it slides, for L / v: the sooner it is out,
+/// the less they move.
 const QUICKLY: f64 = 2.0;
 /// Height of the pictures, m.
 const HEIGHT: f64 = 0.18;
+/// Maximum displacement of a tower that does not move, m: what nobody sees.
+const NO_MOVEMENT: f64 = 1e-3;
+/// Maximum displacement of a tower that moves slightly, m: a gap between two rows, and no block off
+/// its bearers.
+const SLIGHT: f64 = 1e-2;
 
 /// Move with the dissertation's results.
 struct Step {
@@ -32,60 +41,107 @@ struct Step {
     text: &'static str,
     /// Result of the real tower.
     real: &'static str,
+    /// Maximum displacement by which a tower does what the real one did, m.
+    max_displacement: f64,
     /// Result of the dissertation's simulator.
     simulated: &'static str,
 }
 
-const fn step(action: Move, text: &'static str, real: &'static str, simulated: &'static str) -> Step {
-    Step { action, text, real, simulated }
+const fn step(action: Move, text: &'static str, (real, max_displacement): Real, simulated: &'static str) -> Step {
+    Step { action, text, real, max_displacement, simulated }
 }
+
+/// Result of the real tower, and its displacement at most, m.
+type Real = (&'static str, f64);
+/// Real tower that does not move.
+const STILL: Real = ("no movement", NO_MOVEMENT);
 
 /// Steps of the section. Step 2 names no column: 7-3 is next to the 7-2 of step 4, and over the
 /// gap, where it takes load off the 3-1 of step 3.
 const STEPS_OF_SECTION: [Step; 12] = [
-    step(Take(3, 3, SLOWLY), "take 3-3 slowly", "no movement", "no movement"),
-    step(Put(7, 3, LAID), "lay it on top (7-3)", "no movement", "moves a small amount and stops"),
-    step(Take(3, 1, SLOWLY), "take 3-1 slowly", "no movement", "the row below moves slightly"),
-    step(Put(7, 2, LAID), "lay it in 7-2", "no movement", "no movement"),
-    step(Take(4, 3, QUICKLY), "take 4-3 quickly", "moves a little with the block", "moves a little with the block"),
+    step(Take(3, 3, SLOWLY), "take 3-3 slowly", STILL, "no movement"),
+    step(Put(7, 3, LAID), "lay it on top (7-3)", STILL, "moves a small amount and stops"),
+    step(Take(3, 1, SLOWLY), "take 3-1 slowly", STILL, "the row below moves slightly"),
+    step(Put(7, 2, LAID), "lay it in 7-2", STILL, "no movement"),
+    step(
+        Take(4, 3, QUICKLY),
+        "take 4-3 quickly",
+        ("moves a little with the block", SLIGHT),
+        "moves a little with the block",
+    ),
     step(
         Put(8, 1, 0.01),
         "drop it from 1 cm on 8-1",
-        "moves slightly on that side",
+        ("moves slightly on that side", SLIGHT),
         "the same, and takes longer to rest",
     ),
-    step(Take(2, 3, QUICKLY), "take 2-3 quickly", "no movement", "sinks slightly towards the gap"),
-    step(Put(8, 2, 0.02), "drop it from 2 cm on 8-2", "shakes slightly", "shakes, compresses down to row 3"),
-    step(Take(2, 1, SLOWLY), "take 2-1 slowly", "no movement", "a slight effect"),
-    step(Put(8, 3, LAID), "lay it in 8-3", "no movement", "none, but the block slides a little"),
-    step(Take(5, 1, QUICKLY), "take 5-1 quickly", "no movement", "block 8-1 moves slightly"),
+    step(Take(2, 3, QUICKLY), "take 2-3 quickly", STILL, "sinks slightly towards the gap"),
+    step(Put(8, 2, 0.02), "drop it from 2 cm on 8-2", ("shakes slightly", SLIGHT), "shakes, compresses down to row 3"),
+    step(Take(2, 1, SLOWLY), "take 2-1 slowly", STILL, "a slight effect"),
+    step(Put(8, 3, LAID), "lay it in 8-3", STILL, "none, but the block slides a little"),
+    step(Take(5, 1, QUICKLY), "take 5-1 quickly", STILL, "block 8-1 moves slightly"),
     step(
         Put(9, 3, 0.01),
         "drop it from 1 cm on 9-3",
-        "the top row moves a little",
+        ("the top row moves a little", SLIGHT),
         "the top row slides a bit and stops",
     ),
 ];
 
 /// Number of experiments.
-pub const STEPS: u64 = (STEPS_OF_SECTION.len() * COLUMNS.len()) as u64;
+pub const STEPS: u64 = STEPS_OF_COLUMN * COLUMNS.len() as u64;
+/// Number of experiments in a column.
+pub const STEPS_OF_COLUMN: u64 = STEPS_OF_SECTION.len() as u64;
+
+/// Returns the moves of a kind (true for those that take a block out) after which the tower
+/// fell or had moved further than the real one, counted from 1, and the maximum displacement by
+/// the others, m. Moves that were not reached are among the first.
+pub fn unlike_real(played: &Played, take: bool) -> (Vec<usize>, f64) {
+    let (mut unlike, mut max) = (Vec::new(), 0.0f64);
+    for (n, step) in STEPS_OF_SECTION.iter().enumerate() {
+        if matches!(step.action, Take(..)) != take {
+            continue;
+        }
+        match played.outcomes.get(n) {
+            Some(outcome) if outcome.stands && outcome.max_displacement <= step.max_displacement => {
+                max = max.max(outcome.max_displacement);
+            }
+            _ => unlike.push(n + 1),
+        }
+    }
+    (unlike, max)
+}
 
 /// Moves of the steps.
 pub fn moves() -> [Move; STEPS_OF_SECTION.len()] {
     STEPS_OF_SECTION.map(|step| step.action)
 }
 
-/// Outcomes and pictures of the steps until the tower falls.
-fn play_all(column: &Column, bar: &ProgressBar) -> Result<(Vec<Outcome>, Vec<Markup>), Error> {
-    let (mut outcomes, mut pictures) = (Vec::new(), Vec::new());
+/// Plays the moves in all columns.
+///
+/// # Errors
+/// When the tower cannot be built.
+pub fn play_columns(bar: &ProgressBar) -> Result<Vec<Played>, Error> {
+    COLUMNS.par_iter().map(|column| play_column(column, bar)).collect()
+}
+
+/// Plays the moves in one column.
+///
+/// # Errors
+/// When the tower cannot be built.
+pub fn play_column(column: &Column, bar: &ProgressBar) -> Result<Played, Error> {
+    let mut played =
+        Played { outcomes: Vec::new(), pictures: Vec::new(), max_depth: 0.0, rounds: Rounds::default(), frames: 0 };
     play(column, &moves(), |tower, outcome| {
-        let caption = format!("{}, after move {}", column.name, outcomes.len() + 1);
-        pictures.push(picture::figure(tower, HEIGHT, Highlight::None, &caption));
-        outcomes.push(outcome);
+        let caption = format!("{}, after move {}", column.name, played.outcomes.len() + 1);
+        played.pictures.push(picture::figure(tower, HEIGHT, Highlight::None, &caption));
+        played.outcomes.push(outcome);
+        played.max_depth = played.max_depth.max(max_depth(tower));
+        (played.rounds, played.frames) = (tower.rounds(), tower.frames());
         bar.inc(1);
     })?;
-    bar.inc((STEPS_OF_SECTION.len() - outcomes.len()) as u64);
-    Ok((outcomes, pictures))
+    bar.inc((STEPS_OF_SECTION.len() - played.outcomes.len()) as u64);
+    Ok(played)
 }
 
 fn cell(outcome: &Outcome) -> String {
@@ -94,13 +150,12 @@ fn cell(outcome: &Outcome) -> String {
     format!("{max} ({mean}); block {}{fallen}", mm(outcome.error))
 }
 
-/// Plays the steps in all columns.
-pub fn run(bar: &ProgressBar) -> Result<Markup, Error> {
-    let played: Vec<(Vec<Outcome>, Vec<Markup>)> =
-        COLUMNS.par_iter().map(|column| play_all(column, bar)).collect::<Result<_, Error>>()?;
+/// Shows the moves of all columns.
+pub fn run(inputs: Inputs) -> Result<Markup, Error> {
+    let played = inputs.played;
     let row = |(n, step): (usize, &Step)| {
         let printed = [format!("{}. {}", n + 1, step.text), step.real.to_owned(), step.simulated.to_owned()];
-        let measured = played.iter().map(|(outcomes, _)| outcomes.get(n).map_or_else(String::new, cell));
+        let measured = played.iter().map(|played| played.outcomes.get(n).map_or_else(String::new, cell));
         printed.into_iter().chain(measured).collect()
     };
     let rows = STEPS_OF_SECTION.iter().enumerate().map(row).collect();
@@ -114,13 +169,26 @@ pub fn run(bar: &ProgressBar) -> Result<Markup, Error> {
              the mean; then the distance of the block in hand from the hand or from its target. A \
              column ends where its tower has fallen."
         }
+        p {
+            "All columns get the same targets: where the hand wants the block, frame by frame. What \
+             follows them is each method's own hand. That of 2003 is a spring of 40 N/m on the \
+             centre while the block touches anything, without a limit, and writes the velocity in \
+             the air. It cannot turn a block or keep it from turning. The engine's has a limited \
+             force and keeps the orientation of the block."
+        }
         (Table::of_words(headings(["move", "real tower (dissertation)", "its simulator"]), rows))
+        (speeds::run(inputs, &moves()[..5])?)
         @for (n, step) in STEPS_OF_SECTION.iter().enumerate() {
             h3 { (n + 1) ". " (step.text) }
-            @for (_, pictures) in &played { @if let Some(picture) = pictures.get(n) { (picture) } }
+            @for column in played { @if let Some(picture) = column.pictures.get(n) { (picture) } }
         }
     })
 }
+
+/// Moves of all columns, played once for all tests.
+#[cfg(test)]
+pub static PLAYED: std::sync::LazyLock<Vec<Played>> =
+    std::sync::LazyLock::new(|| play_columns(&ProgressBar::hidden()).expect("the moves are played"));
 
 #[cfg(test)]
 mod tests {

@@ -1,10 +1,11 @@
 //! Player of the moves: takes blocks out of a tower and lays or drops them on top.
 
 use glam::DVec3;
-use teeter_scene::{BlockPreset, TowerOptions, loose};
+use teeter_scene::{BlockPreset, named};
 
 use crate::dissertation::backend::Grasp;
 use crate::dissertation::column::Column;
+use crate::dissertation::played::Outcome;
 use crate::dissertation::tower::{FRAME_RATE, Tower};
 use crate::error::Error;
 
@@ -12,7 +13,9 @@ use crate::error::Error;
 pub const SLOWLY: f64 = 0.05;
 /// Height at which a block is let go that is laid down, m.
 pub const LAID: f64 = 2e-4;
-/// Loose blocks of the tower. 2-1 is among them: step 9 takes it "slowly" and calls it loose, the
+/// Scene of the tower.
+const SCENE: &str = "moves";
+/// Loose blocks of the scene. 2-1 is among them: step 9 takes it "slowly" and calls it loose, the
 /// real tower does not move, and the simulated one is "weighed down on the loose block". The
 /// printed map has (00L) for the second row.
 pub const LOOSE: &str = "(L00)-(L0L)-(00L)-(0L0)-(L0L)-(LLL)";
@@ -37,30 +40,12 @@ pub enum Move {
     Put(usize, usize, f64),
 }
 
-/// Result of a move.
-#[derive(Debug, Clone, Copy)]
-pub struct Outcome {
-    /// Maximum displacement of a block of the tower, m.
-    pub max_displacement: f64,
-    /// Mean displacement of the blocks of the tower, m.
-    pub mean_displacement: f64,
-    /// Distance of the moved block from its target at the end, m: of one taken from the hand, of
-    /// one put from its position, level.
-    pub error: f64,
-    /// True while all blocks have stayed in their rows since the first move.
-    ///
-    /// A block leaves its row when its centre comes down below the lower face of the row. The
-    /// footing of `teeter_study` is too narrow here: blocks of the dissertation's method sink into
-    /// each other under load.
-    pub stands: bool,
-}
-
 /// Plays moves and calls `observe` after each. Stops when the tower has fallen.
 ///
 /// # Errors
 /// When the tower cannot be built.
 pub fn play(column: &Column, moves: &[Move], mut observe: impl FnMut(&Tower, Outcome)) -> Result<(), Error> {
-    let scene = loose(LOOSE, &TowerOptions::exact())?;
+    let scene = named(SCENE).ok_or_else(|| Error::UnknownScene(SCENE.to_owned()))?;
     let blocks = (0..6).map(|row| [0, 1, 2].map(|column| Some(3 * row + column))).collect();
     let mut player = Player { tower: (column.build)(&scene)?, blocks, held: None };
     player.tower.rest(SETTLING);

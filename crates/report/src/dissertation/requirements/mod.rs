@@ -2,22 +2,21 @@
 
 mod dynamics;
 mod handling;
-mod oriented_box;
-mod overlap;
 mod penetration;
 mod robustness;
 mod stability;
 mod subject;
-mod view;
 
 use indicatif::ProgressBar;
-use maud::{Markup, Render};
+use maud::{Markup, html};
 use rayon::prelude::*;
 
 use super::column::{COLUMNS, headings};
+use super::frame_rate::frame_rate;
+use super::part::Inputs;
 use crate::error::Error;
 use crate::table::Table;
-use subject::{Answer, Subject};
+use subject::{Answer, ROWS, Subject};
 
 /// Requirement with the dissertation's own answer.
 struct Requirement {
@@ -41,7 +40,7 @@ const REQUIREMENTS: [Requirement; 16] = [
     requirement("1.1", "remove a block", "met", handling::removes),
     requirement("1.2", "place a block on top", "met", handling::lays_on_top),
     requirement("1.3", "analogue input", "met", handling::analogue),
-    requirement("1.4", "all sides in view", "met", view::all_sides),
+    requirement("1.4", "all sides in view", "met", handling::all_sides),
     requirement("2.1", "gravity", "met", dynamics::gravity),
     requirement("2.2", "friction", "not adequate", dynamics::friction),
     requirement("2.3", "stays up when stable", "met, test 6 with problems", stability::stays),
@@ -52,23 +51,29 @@ const REQUIREMENTS: [Requirement; 16] = [
     requirement("2.8", "blocks are not embedded in others", "occasionally", penetration::no_embedding),
     requirement("2.9", "no jitter", "edges fluctuate", stability::no_jitter),
     requirement("3.1", "does not crash or freeze", "met", robustness::no_crash),
-    requirement("3.2", "at least 12 frames a second", "met up to 7 rows", robustness::real_time),
+    requirement("3.2", "real time, at least 12 frames a second", "met up to 7 rows", robustness::real_time),
     requirement("3.3", "simple and intuitive", "met", handling::simple),
 ];
 
-/// Number of experiments, with the moves of each column.
-pub const STEPS: u64 = ((REQUIREMENTS.len() + 1) * COLUMNS.len()) as u64;
+/// Number of experiments, timed ones included.
+pub const STEPS: u64 = ((REQUIREMENTS.len() + ROWS.len()) * COLUMNS.len()) as u64;
+
+/// Measures the frame rates of all columns, those of a column in turn, frames per second.
+pub fn clock(bar: &ProgressBar) -> Result<Vec<f64>, Error> {
+    let cases = COLUMNS.iter().flat_map(|column| ROWS.map(|rows| (column, rows)));
+    cases
+        .map(|(column, rows)| {
+            let rate = frame_rate(column, rows);
+            bar.inc(1);
+            rate
+        })
+        .collect()
+}
 
 /// Examines all columns.
-pub fn run(bar: &ProgressBar) -> Result<Markup, Error> {
-    let subjects: Vec<Subject> = COLUMNS
-        .par_iter()
-        .map(|column| {
-            let subject = Subject::new(column);
-            bar.inc(1);
-            subject
-        })
-        .collect::<Result<_, _>>()?;
+pub fn run(Inputs { bar, times, played }: Inputs) -> Result<Markup, Error> {
+    let columns = COLUMNS.iter().zip(played).zip(times.chunks(ROWS.len()));
+    let subjects: Vec<Subject> = columns.map(|((column, moves), rates)| Subject { column, moves, rates }).collect();
     let jobs: Vec<(&Requirement, &Subject)> =
         REQUIREMENTS.iter().flat_map(|requirement| subjects.iter().map(move |s| (requirement, s))).collect();
     let answers: Vec<Answer> = jobs
@@ -81,38 +86,56 @@ pub fn run(bar: &ProgressBar) -> Result<Markup, Error> {
         .collect::<Result<_, _>>()?;
     let row = |(requirement, answers): (&Requirement, &[Answer])| {
         let name = format!("{} {}", requirement.number, requirement.text);
-        let cells = answers.iter().map(|a| format!("{}: {}", if a.met { "met" } else { "NOT MET" }, a.evidence));
+        let cells = answers.iter().map(|a| format!("{}: {}", a.judgement.word(), a.evidence));
         [name, requirement.printed.to_owned()].into_iter().chain(cells).collect()
     };
     let rows = REQUIREMENTS.iter().zip(answers.chunks(COLUMNS.len())).map(row).collect();
-    Ok(Table::of_words(headings(["requirement", "dissertation, of itself"]), rows).render())
+    Ok(html! {
+        p {
+            "Each is judged by an experiment, where one can: 2.5 and 2.6 by all twelve moves, 3.2 \
+             by the frame rates of this machine with the 18 rows at which section 3.5 aims."
+        }
+        (Table::of_words(headings(["requirement", "dissertation, of itself"]), rows))
+    })
 }
 
 #[cfg(test)]
 mod tests {
-    use std::sync::LazyLock;
-
     use glam::{DQuat, DVec3};
-    use rayon::prelude::*;
     use teeter_scene::Scene;
 
     use super::super::backend::{Backend, FrameReport, Grasp};
     use super::super::column::Column;
+    use super::super::moves::PLAYED;
     use super::super::tower::{FRAME_RATE, Tower};
+    use super::subject::Judgement;
     use super::*;
-
-    /// Columns with their moves, played once for all tests.
-    static SUBJECTS: LazyLock<Vec<Subject>> = LazyLock::new(|| {
-        COLUMNS.par_iter().map(|column| Subject::new(column).expect("the moves are played")).collect()
-    });
 
     /// Checks that exactly these columns do not meet a requirement.
     fn all_meet_except(number: &str, columns: &[&str]) {
         let requirement = REQUIREMENTS.iter().find(|r| r.number == number).expect("there is such a requirement");
+        let subjects = COLUMNS.iter().zip(PLAYED.iter()).map(|(column, moves)| Subject { column, moves, rates: &[] });
         let answers: Vec<Answer> =
-            SUBJECTS.iter().map(|subject| (requirement.experiment)(subject).expect("the experiment runs")).collect();
-        let fail: Vec<&str> = COLUMNS.iter().zip(&answers).filter(|(_, a)| !a.met).map(|(c, _)| c.name).collect();
+            subjects.map(|subject| (requirement.experiment)(&subject).expect("the experiment runs")).collect();
+        assert!(answers.iter().all(|answer| answer.judgement != Judgement::NotJudged), "{answers:?}");
+        let fail: Vec<&str> = COLUMNS
+            .iter()
+            .zip(&answers)
+            .filter(|(_, a)| a.judgement == Judgement::NotMet)
+            .map(|(c, _)| c.name)
+            .collect();
         assert_eq!(fail, columns, "{answers:?}");
+    }
+
+    /// The report has neither a camera nor users.
+    #[test]
+    fn requirements_without_an_experiment_are_not_judged() {
+        for number in ["1.4", "3.3"] {
+            let requirement = REQUIREMENTS.iter().find(|r| r.number == number).expect("there is such a requirement");
+            let subject = Subject { column: &COLUMNS[0], moves: &PLAYED[0], rates: &[] };
+            let answer = (requirement.experiment)(&subject).expect("there is an answer");
+            assert_eq!(answer.judgement, Judgement::NotJudged, "{number}");
+        }
     }
 
     macro_rules! requirement {
@@ -159,16 +182,14 @@ mod tests {
 
     #[test]
     fn blocks_that_pass_through_others_do_not_meet_the_requirement() {
-        static GHOST: Column = Column {
-            name: "ghost",
-            build: |scene| {
-                let velocities = vec![DVec3::ZERO; scene.blocks.len()];
-                Ok(Tower::new(Ghost { scene: scene.clone(), velocities }))
-            },
-        };
-        let subject = Subject { column: &GHOST, moves: Vec::new(), max_depth: 0.0 };
+        fn ghosts(scene: &Scene) -> Result<Tower, Error> {
+            let velocities = vec![DVec3::ZERO; scene.blocks.len()];
+            Ok(Tower::new(Ghost { scene: scene.clone(), velocities }))
+        }
+        static GHOST: Column = Column { name: "ghost", build: ghosts, awake: ghosts };
+        let subject = Subject { column: &GHOST, moves: &PLAYED[0], rates: &[] };
         let answer = penetration::no_passing(&subject).expect("the experiment runs");
-        assert!(!answer.met);
+        assert_eq!(answer.judgement, Judgement::NotMet);
         // The hand moves to the middle of a block, half its height from its faces.
         let expected = "of 10 throws at up to 10 m/s 10 go through; a hand drives a block 8.";
         assert!(answer.evidence.starts_with(expected), "{}", answer.evidence);
@@ -177,17 +198,14 @@ mod tests {
     requirement!(r_1_1_remove_a_block, "1.1", []);
     requirement!(r_1_2_place_a_block, "1.2", []);
     requirement!(r_1_3_analogue_input, "1.3", []);
-    requirement!(r_1_4_all_sides_in_view, "1.4", []);
     requirement!(r_2_1_gravity, "2.1", []);
     requirement!(r_2_2_friction, "2.2", ["2003 method"]);
     requirement!(r_2_3_stays_up, "2.3", ["2003 method", "2003 with 6.3"]);
     requirement!(r_2_4_collapses, "2.4", []);
-    requirement!(r_2_5_removal, "2.5", ["2003 method"]);
-    requirement!(r_2_6_placing, "2.6", []);
+    requirement!(r_2_5_removal, "2.5", ["2003 method", "2003 with 6.3"]);
+    requirement!(r_2_6_placing, "2.6", ["2003 method"]);
     requirement!(r_2_7_no_passing, "2.7", []);
     requirement!(r_2_8_no_embedding, "2.8", []);
     requirement!(r_2_9_no_jitter, "2.9", ["2003 method"]);
     requirement!(r_3_1_no_crash, "3.1", []);
-    requirement!(r_3_2_real_time, "3.2", []);
-    requirement!(r_3_3_simple, "3.3", []);
 }

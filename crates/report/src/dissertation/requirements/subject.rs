@@ -2,55 +2,69 @@
 
 use teeter_scene::{Scene, TowerOptions, named, tower};
 
-use super::overlap::max_depth;
 use crate::dissertation::column::Column;
-use crate::dissertation::moves::{Outcome, moves, play};
+use crate::dissertation::played::Played;
 use crate::dissertation::tower::Tower;
 use crate::error::Error;
 
-/// Moves of the dissertation that are played for the requirements about moves.
-const MOVES: usize = 6;
+/// Judgement on a requirement.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Judgement {
+    /// An experiment meets it.
+    Met,
+    /// An experiment does not meet it.
+    NotMet,
+    /// The report has no experiment for it.
+    NotJudged,
+}
+
+impl Judgement {
+    /// Word of the judgement.
+    pub fn word(self) -> &'static str {
+        match self {
+            Judgement::Met => "met",
+            Judgement::NotMet => "NOT MET",
+            Judgement::NotJudged => "not judged",
+        }
+    }
+}
 
 /// Answer of an experiment.
 #[derive(Debug, Clone)]
 pub struct Answer {
-    /// True when the requirement is met.
-    pub met: bool,
+    /// Judgement.
+    pub judgement: Judgement,
     /// Figure behind the answer.
     pub evidence: String,
 }
 
 impl Answer {
-    /// Answer with its evidence.
+    /// Answer of an experiment that meets the requirement or does not, with its evidence.
     pub fn new(met: bool, evidence: String) -> Self {
-        Self { met, evidence }
+        Self { judgement: if met { Judgement::Met } else { Judgement::NotMet }, evidence }
+    }
+
+    /// Answer that the report cannot give, with the reason.
+    pub fn not_judged(reason: &str) -> Self {
+        Self { judgement: Judgement::NotJudged, evidence: reason.to_owned() }
     }
 }
 
-/// Column under examination, with the outcomes of its first moves.
-pub struct Subject {
+/// Column under examination.
+pub struct Subject<'a> {
     /// Column.
     pub column: &'static Column,
-    /// Outcomes of the first moves.
-    pub moves: Vec<Outcome>,
-    /// Maximum depth of a block in another after any of the moves, m.
-    pub max_depth: f64,
+    /// Twelve moves.
+    pub moves: &'a Played,
+    /// Frame rates of towers of [`ROWS`] rows on this machine, frames per second.
+    pub rates: &'a [f64],
 }
 
-impl Subject {
-    /// Plays the first moves.
-    ///
-    /// # Errors
-    /// When the tower cannot be built.
-    pub fn new(column: &'static Column) -> Result<Self, Error> {
-        let (mut outcomes, mut depth) = (Vec::new(), 0.0f64);
-        play(column, &moves()[..MOVES], |tower, outcome| {
-            depth = depth.max(max_depth(tower));
-            outcomes.push(outcome);
-        })?;
-        Ok(Self { column, moves: outcomes, max_depth: depth })
-    }
+/// Heights of the towers whose frame rates are judged, rows: the minimum of section 3.5, what it
+/// calls satisfactory, and its aim.
+pub const ROWS: [u32; 3] = [6, 9, 18];
 
+impl Subject<'_> {
     /// Builds a scene.
     ///
     /// # Errors

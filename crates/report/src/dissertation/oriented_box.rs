@@ -29,15 +29,4 @@ impl OrientedBox {
         let depths = [0, 1, 2].map(|n| self.half[n] - (point - self.centre).dot(self.axes[n]).abs());
         depths.into_iter().fold(f64::INFINITY, f64::min)
     }
-
-    /// Distance at which a ray enters the box, in lengths of its direction; none where it misses.
-    pub fn ray_entry(&self, origin: DVec3, direction: DVec3) -> Option<f64> {
-        let (mut enter, mut leave) = (0.0f64, f64::INFINITY);
-        for (axis, half) in self.axes.into_iter().zip(self.half) {
-            let (from, speed) = ((origin - self.centre).dot(axis), direction.dot(axis));
-            let (a, b) = ((-half - from) / speed, (half - from) / speed);
-            (enter, leave) = (enter.max(a.min(b)), leave.min(a.max(b)));
-        }
-        (enter < leave).then_some(enter)
-    }
 }

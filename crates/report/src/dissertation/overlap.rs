@@ -4,7 +4,7 @@ use glam::DVec3;
 use teeter_dissertation::jenga3d::block::EDGE_CORNERS;
 
 use super::oriented_box::OrientedBox;
-use crate::dissertation::tower::Tower;
+use super::tower::Tower;
 
 /// Maximum depth of a corner or the middle of an edge in another block, m.
 pub fn max_depth(tower: &Tower) -> f64 {
