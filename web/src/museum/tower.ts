@@ -138,7 +138,10 @@ export class Tower {
     const pause = () => client.pause(store.state.paused || !store.state.onScreen || document.hidden);
     store.subscribe(['paused', 'onScreen'], pause);
     document.addEventListener('visibilitychange', pause);
-    store.subscribe(['selected'], ({ selected }) => client.watch({ springs: true, xray: false, selected }));
+    store.subscribe(['selected', 'oldHand'], ({ selected, oldHand }) => {
+      // The hand of 2003 has no slots to place a block in.
+      client.watch({ springs: true, xray: false, selected: oldHand ? null : selected });
+    });
     store.subscribe(['paused'], ({ paused }) => {
       if (!paused && this.oldHand.holds) this.oldPointers.resume();
     });
