@@ -7,6 +7,8 @@ import type { Built, Frame, SceneEntry, XRay } from '../engine/protocol';
 import { Hand } from '../hand/hand';
 import type { Mode, ModeUi } from '../modes/mode';
 import { showTrouble, type Notice } from '../ui/notice';
+import { Delays } from './delays';
+import { followGraphics } from './graphics';
 import { SlowMotion } from './slow-motion';
 import type { Stage } from './stage';
 import { setupOf, type PageStore, type Settings } from './state';
@@ -21,6 +23,7 @@ export class Play {
   readonly client: Client;
   readonly hand: Hand;
   private readonly slowMotion = new SlowMotion();
+  private readonly delays: Delays;
   private readonly modeUi: ModeUi;
 
   /** `xray` takes the X-ray of a tower at rest. */
@@ -31,13 +34,21 @@ export class Play {
     private readonly notice: Notice,
     private readonly xray: (xray: XRay) => void,
   ) {
+    this.delays = new Delays(notice);
+    this.delays.begin('engine');
     this.client = new Client(new Worker(new URL('../engine/worker.ts', import.meta.url), { type: 'module' }), {
       scenes: list => this.listScenes(list),
       built: world => this.begin(world),
       frame: frame => this.receive(frame),
       xray: xray => this.xray(xray),
-      refused: message => notice.show(`This scene cannot be built: ${message}`, LONG),
-      failed: message => showTrouble(`The physics stopped: ${message}. Load the page again to start over.`),
+      refused: message => {
+        this.awaitStep();
+        notice.show(`This scene cannot be built: ${message}`, LONG);
+      },
+      failed: message => {
+        this.delays.end();
+        showTrouble(`The physics stopped: ${message}. Load the page again to start over.`);
+      },
     });
     this.hand = new Hand(this.client, store, stage.orbit, () => stage.bodies!);
     this.modeUi = {
@@ -49,7 +60,12 @@ export class Play {
   /** Starts what depends on the state of the page. */
   start(options: Options): void {
     const { store, client } = this;
-    const pause = () => client.pause(store.state.paused || document.hidden);
+    followGraphics(this.stage, this.notice);
+    const pause = () => {
+      client.pause(this.isPaused());
+      // What the engine loads or builds is awaited all the same.
+      if (store.state.world) this.awaitStep();
+    };
     store.subscribe(['paused'], pause);
     document.addEventListener('visibilitychange', pause);
     store.subscribe(['overlay', 'selected'], ({ overlay, selected }) => {
@@ -70,6 +86,7 @@ export class Play {
   /** Builds the world of the settings. */
   build(): void {
     this.hand.letGo();
+    this.delays.begin('world');
     this.client.build(setupOf(this.store.state.settings));
   }
 
@@ -117,12 +134,14 @@ export class Play {
     this.stage.begin(world);
     this.slowMotion.reset();
     this.store.set({ world, frame: null, form: world.form, selected: null, paused: false });
+    this.awaitStep();
   }
 
   private receive(frame: Frame): void {
     const { store, mode } = this;
     const { update } = frame;
     if (!store.state.world) return;
+    this.awaitStep();
     this.stage.receive(frame);
     this.reportQuarantined(update);
     store.set({ frame });
@@ -133,6 +152,16 @@ export class Play {
     for (const command of mode.commands?.(update) ?? []) this.client.command(command);
     if (this.slowMotion.begins(frame.factor))
       this.notice.show(`Slow motion, ${frame.factor.toFixed(1)}×: this device cannot keep up.`);
+  }
+
+  private isPaused(): boolean {
+    return this.store.state.paused || document.hidden;
+  }
+
+  /** Begins to wait for the next step, of which there is none without a world or in a pause. */
+  private awaitStep(): void {
+    if (!this.store.state.world || this.isPaused()) this.delays.end();
+    else this.delays.begin('step');
   }
 
   private reportQuarantined({ report }: Update): void {

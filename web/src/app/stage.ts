@@ -113,6 +113,12 @@ export class Stage {
     if (this.zoom !== 1) this.orbit.zoom(this.zoom);
   }
 
+  /** Draws the whole picture again, at its size. */
+  redraw(): void {
+    this.view.invalidate();
+    this.resized = true;
+  }
+
   /** Starts the loop. */
   run(hand: Hand, show: Show): void {
     const tick = () => {
