@@ -244,6 +244,14 @@ impl Bodies {
     }
 }
 
+/// Speed about the centre of the fastest point of a box with these half edges (m) at a spin in its
+/// own frame (rad/s), m/s; exact about its axes, else an upper bound, at most by a quarter above.
+pub fn point_speed(half: DVec3, spin: DVec3) -> f64 {
+    let spin = spin.abs();
+    DVec3::new(spin.y * half.z + spin.z * half.y, spin.z * half.x + spin.x * half.z, spin.x * half.y + spin.y * half.x)
+        .length()
+}
+
 /// Length of the middle one of the three edges of a box with these half edges, m.
 pub fn middle_edge(half: DVec3) -> f64 {
     let [x, y, z] = half.to_array();

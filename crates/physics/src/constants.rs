@@ -147,8 +147,26 @@ pub const HAND_ROTATION_RATE: f64 = 900.0;
 /// Share of a block's weight that a hand carries while it draws the block out: a loose block then
 /// drags its tower along by half as much.
 pub const HAND_LIFT: f64 = 0.5;
-/// Speed above which a body is quarantined, m/s.
+/// Speed of a body's points from which its energy is checked, m/s.
 pub const RUNAWAY_SPEED: f64 = 100.0;
+/// Energy of a fast body over that of its cluster from which it has run away. Impacts at high speed
+/// are some substeps long, and so are their errors.
+pub const BOOK_FACTOR: f64 = 2.0;
+/// Speed of a body's points at which the range of the method ends, m/s: a fall of 5000 km. A body
+/// moves by its own size in less than a substep.
+pub const MAX_SPEED: f64 = 1e4;
+/// Maximum speed of a body's points that an input may ask for, m/s.
+pub const MAX_INPUT_SPEED: f64 = 1e3;
+/// Maximum acceleration of a body's points by each input, m/s²: a block moves by 8 mm between two
+/// checks of the budgets.
+pub const MAX_ACCELERATION: f64 = 1e5;
+/// Maximum distance from the origin of a point that an input names, and maximum lever arm, m.
+pub const MAX_INPUT_DISTANCE: f64 = 1e6;
+/// Maximum gravity of an input, m/s²: that of scenes.
+pub const MAX_GRAVITY: f64 = 100.0;
+/// Maximum distance of the point that a hand holds from the centre of the body, over the distance
+/// of a corner.
+pub const MAX_ANCHOR: f64 = 2.0;
 
 /// Smallest sweep of a body in a frame, m: free fall from rest for 1/60 s (1.4 mm), and the largest
 /// margin.

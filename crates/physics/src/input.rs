@@ -7,6 +7,20 @@ use crate::body_id::BodyId;
 
 /// Everything that acts on a world from outside during one step.
 ///
+/// A step ignores parts that name no body, or have a number that is not finite, and reduces what is
+/// above these limits. So an input of any size harms no body but the one it names.
+///
+/// | what | limit |
+/// |---|---|
+/// | gravity | 100 m/s² |
+/// | force of a hand | [`Hand::MAX_FORCE`], 50 N |
+/// | torque of a hand | `MAX_FORCE` times half the diagonal of the body |
+/// | all forces on a body, and each of a hand and a drive | mass times 1e5 m/s² |
+/// | all torques of forces on a body, and each of a hand and a drive | that which accelerates a corner by 1e5 m/s² |
+/// | velocity of a drive | 1e3 m/s |
+/// | distance of a hand's anchor from the centre | the diagonal of the body |
+/// | a hand's target and the point of a force | 1e6 m from the origin and the centre |
+///
 /// ```
 /// use glam::DVec3;
 /// use teeter_physics::{AppliedForce, BodyId, Input, Params, World};
@@ -124,7 +138,8 @@ pub struct Hand {
     pub grip: Grip,
     /// Maximum force, N.
     pub max_force: f64,
-    /// Maximum torque, N m.
+    /// Maximum torque, N m; a step clamps more than [`Hand::MAX_FORCE`] at half the diagonal of the
+    /// body.
     pub max_torque: f64,
 }
 

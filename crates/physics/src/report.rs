@@ -37,8 +37,8 @@ pub struct StepReport {
     pub max_speed: f64,
     /// Root mean square of the bodies' speeds at the end, m/s.
     pub rms_speed: f64,
-    /// Bodies frozen during this step because their state was not finite or ran away; they no
-    /// longer move.
+    /// Bodies frozen during this step, which no longer move: their state was not finite, they were
+    /// fast with energy that nobody put in, or faster than 1e4 m/s.
     pub quarantined: Vec<BodyId>,
     /// Report of the hand; none where there was no hand.
     pub hand: Option<HandReport>,

@@ -96,7 +96,7 @@ impl World {
             time: self.time,
             bodies: whole.bodies,
             contacts: whole.contacts,
-            clusters: self.clusters.list.iter().map(|c| (c.ids.clone(), c.outgrown)).collect(),
+            clusters: self.clusters.list.iter().map(|c| (c.ids.clone(), c.contacts.outgrown)).collect(),
             hand_target: self.hand_target,
             forces: self.forces.clone(),
             gravity: self.gravity,
@@ -148,7 +148,7 @@ impl World {
         self.clusters = Clusters::single(whole);
         self.clusters.split(&self.params, self.scene.form, &parts);
         for (cluster, outgrown) in self.clusters.list.iter_mut().zip(outgrown) {
-            cluster.outgrown = outgrown;
+            cluster.contacts.outgrown = outgrown;
         }
         (self.time, self.hand_target) = (state.time, state.hand_target);
         (self.forces, self.gravity) = (state.forces, state.gravity);

@@ -181,7 +181,7 @@ impl World {
                 .filter(stale)
                 .for_each(|m| m.points.iter_mut().for_each(ContactPoint::reset));
             cluster.contacts.detect_initial(&cluster.shapes, &mut cluster.bodies);
-            cluster.outgrown = true;
+            cluster.contacts.outgrown = true;
         }
         self.write_poses();
     }

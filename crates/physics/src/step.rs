@@ -1,6 +1,7 @@
 //! Step: the table of contents of the physics.
 
 use crate::actuator::cluster_input::{ClusterInput, input_speeds};
+use crate::body_id::BodyId;
 use crate::cluster::Cluster;
 use crate::cluster::frame::{ClusterReport, Frame};
 use crate::input::Input;
@@ -12,8 +13,9 @@ use crate::world::World;
 impl World {
     /// Advances the world by one frame and reports on it.
     ///
-    /// A step never fails: input that is not finite or names no body is ignored, and a body whose
-    /// state runs away is quarantined and named in the report. With the feature `parallel`,
+    /// A step never fails: input that is not finite or names no body is ignored, input above the
+    /// limits of [`Input`] is reduced to them, and a body whose state runs away is quarantined and
+    /// named in the report. With the feature `parallel`,
     /// clusters of bodies that cannot touch within the frame are stepped in rayon's current thread
     /// pool; the bits are the same for any number of threads.
     pub fn step(&mut self, input: &Input) -> StepReport {
@@ -43,7 +45,11 @@ impl World {
 
     /// Updates the clusters so that no two can touch in the next frame.
     fn partition(&mut self, input: &Input) {
-        let speeds = input_speeds(input, self.hand_target.as_ref(), self.derived.frame, |body| self.mass(body));
+        let shapes = |body: BodyId| {
+            let (cluster, i) = self.clusters.get(body.0);
+            (&cluster.shapes, i)
+        };
+        let speeds = input_speeds(input, (self.hand_target.as_ref(), &self.forces), self.derived.frame, shapes);
         self.clusters.partition(&self.params, self.scene.form, self.derived.frame, &speeds);
     }
 
@@ -71,7 +77,7 @@ impl Cluster {
         if !self.is_awake() {
             return report;
         }
-        self.begin_frame(frame);
+        self.begin_frame(frame, &input);
         let mut synced = SyncSet::all(self.len());
         let mut done = 0;
         while done < frame.derived.substeps {

@@ -1,30 +1,52 @@
 //! Input and report of a step.
 
 use crate::actuator::hand::{HandTarget, grasp_point};
+use crate::actuator::limits::{self, shortened};
 use crate::body_id::BodyId;
 use crate::cluster::frame::ClusterReport;
+use crate::constants::{MAX_ANCHOR, MAX_GRAVITY, MAX_INPUT_DISTANCE, MAX_INPUT_SPEED};
 use crate::input::{Grip, Hand, Input};
 use crate::report::StepReport;
 use crate::world::World;
 
 impl World {
     /// Returns the input without its invalid parts: unknown or quarantined bodies, numbers that are
-    /// not finite, negative limits.
+    /// not finite, negative limits. What exceeds the limits of [`Input`] is reduced to them.
     pub(crate) fn sanitise(&self, input: &Input) -> Input {
         let known = |body: BodyId| body.index() < self.len();
         let mut input = input.clone();
-        input.gravity = input.gravity.filter(|g| g.is_finite());
+        input.gravity = input.gravity.filter(|g| g.is_finite()).map(|g| shortened(g, MAX_GRAVITY));
         input.forces.retain(|f| known(f.body) && f.point.is_finite() && f.force.is_finite());
         input.drives.retain(|d| known(d.body) && d.velocity.is_finite() && d.max_force >= 0.0);
         input.hand = input.hand.filter(|h| known(h.body) && !self.is_immovable(h.body) && is_valid(h));
+        for force in &mut input.forces {
+            let (cluster, i) = self.clusters.get(force.body.0);
+            force.point = shortened(force.point, MAX_INPUT_DISTANCE);
+            force.force = shortened(force.force, limits::max_force(&cluster.shapes, i));
+        }
+        for drive in &mut input.drives {
+            drive.velocity = shortened(drive.velocity, MAX_INPUT_SPEED);
+        }
         if let Some(hand) = &mut input.hand {
-            hand.max_force = hand.max_force.min(Hand::MAX_FORCE);
-            hand.orientation = hand.orientation.map(|q| q.normalize());
-            if let Grip::Push { axis } = &mut hand.grip {
-                *axis = axis.normalize_or_zero();
-            }
+            self.limit_hand(hand);
         }
         input
+    }
+
+    /// Reduces what exceeds the limits of a hand.
+    fn limit_hand(&self, hand: &mut Hand) {
+        let (cluster, i) = self.clusters.get(hand.body.0);
+        let radius = cluster.shapes.radius[i];
+        hand.anchor = shortened(hand.anchor, MAX_ANCHOR * radius);
+        hand.target = shortened(hand.target, MAX_INPUT_DISTANCE);
+        hand.max_force = hand.max_force.min(Hand::MAX_FORCE);
+        hand.max_torque = hand.max_torque.min(Hand::MAX_FORCE * radius);
+        hand.orientation = hand.orientation.and_then(limits::unit);
+        if let Grip::Push { axis } = &mut hand.grip {
+            // The square of a longer vector may overflow.
+            let direction = if axis.length_squared().is_finite() { *axis } else { shortened(*axis, 1.0) };
+            *axis = direction.normalize_or_zero();
+        }
     }
 
     /// Wakes the bodies that the input acts on, and those that the last one acted on: a hand or
@@ -90,7 +112,7 @@ fn is_valid(hand: &Hand) -> bool {
     axis_is_finite
         && hand.anchor.is_finite()
         && hand.target.is_finite()
-        && hand.orientation.is_none_or(|q| q.is_finite() && q.length_squared() > 0.0)
+        && hand.orientation.is_none_or(|q| limits::unit(q).is_some())
         && hand.max_force >= 0.0
         && hand.max_torque >= 0.0
 }

@@ -4,12 +4,13 @@ use glam::{DMat3, DQuat, DVec3};
 use teeter_scene::{Form, Scene, Springs};
 
 use crate::actuator::hand::HandTarget;
-use crate::body::{Bodies, FLOOR, Shapes};
+use crate::actuator::limits::{self, shortened};
+use crate::body::{Bodies, FLOOR, Shapes, point_speed};
 use crate::body_id::BodyId;
 use crate::cluster::partition::Clusters;
 use crate::cluster::{Cluster, rest};
 use crate::collision::broad_phase::Aabb;
-use crate::constants::MIN_SWEEP;
+use crate::constants::{MAX_INPUT_SPEED, MIN_SWEEP};
 use crate::derived::{Derived, Masses};
 use crate::input::AppliedForce;
 use crate::kernel::any_kernel::AnyKernel;
@@ -264,16 +265,23 @@ impl World {
     }
 
     /// Sets velocity and spin of a body: the start of an experiment. Wakes it and all that it
-    /// touches. A body that is fixed or quarantined stays where it is.
+    /// touches. A body that is fixed or quarantined stays where it is; numbers that are not finite
+    /// are ignored, and what would move a point of the body faster than 1 km/s is reduced to that.
     ///
     /// # Panics
     /// When the world has no such body.
     pub fn set_twist(&mut self, body: BodyId, twist: Twist) {
-        if self.is_immovable(body) {
+        if self.is_immovable(body) || !twist.velocity.is_finite() || !twist.spin.is_finite() {
             return;
         }
         self.wake(body);
         let (cluster, i) = self.locate_mut(body);
+        let twist = Twist {
+            velocity: shortened(twist.velocity, MAX_INPUT_SPEED),
+            spin: shortened(twist.spin, MAX_INPUT_SPEED / cluster.shapes.half[i].min_element()),
+        };
+        let around = point_speed(cluster.shapes.half[i], cluster.bodies.orientation[i].conjugate() * twist.spin);
+        let twist = Twist { spin: twist.spin * (MAX_INPUT_SPEED / around).min(1.0), ..twist };
         cluster.bodies.velocity[i] = twist.velocity;
         cluster.bodies.spin[i] = twist.spin;
         if let Some(particles) = cluster.particles.get_mut(i) {
@@ -335,20 +343,21 @@ impl World {
     }
 
     /// Sets the orientation of a body about its centre: the start of an experiment. Detects its
-    /// contacts again.
+    /// contacts again. A quaternion of any length is taken; one without a direction is ignored.
     ///
     /// # Panics
     /// When the world has no such body.
     pub fn set_orientation(&mut self, body: BodyId, orientation: DQuat) {
         let _mode = FloatMode::standard();
+        let Some(orientation) = limits::unit(orientation) else { return };
         self.wake(body);
         let (cluster, i) = self.locate_mut(body);
-        cluster.bodies.orientation[i] = orientation.normalize();
+        cluster.bodies.orientation[i] = orientation;
         // Its new swept bounds may overlap those of another cluster.
         self.clusters.partition(&self.params, self.scene.form, self.derived.frame, &[]);
         let (cluster, i) = self.locate_mut(body);
         let due = [i as u32];
-        let (pairs, _) = cluster.contacts.candidate_pairs(&cluster.shapes, &mut cluster.bodies, &due, MIN_SWEEP);
+        let pairs = cluster.contacts.candidate_pairs(&cluster.shapes, &mut cluster.bodies, &due, MIN_SWEEP);
         cluster.contacts.detect(&cluster.shapes, &mut cluster.bodies, &due, &pairs);
         self.write_poses();
     }
@@ -438,7 +447,7 @@ fn single_cluster(scene: &Scene, params: &Params, shapes: Shapes) -> Cluster {
     cluster.contacts.update_neighbours();
     cluster.contacts.detect_initial(&shapes, &mut cluster.bodies);
     cluster.shapes = shapes;
-    cluster.outgrown = true;
+    cluster.contacts.outgrown = true;
     cluster
 }
 

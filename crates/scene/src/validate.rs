@@ -2,6 +2,8 @@
 
 use std::f64::consts::TAU;
 
+use glam::{DQuat, DVec3};
+
 use crate::error::SceneError;
 use crate::overlap;
 use crate::printable::shown;
@@ -178,10 +180,16 @@ fn validate_block(b: &Block) -> Result<(), SceneError> {
     {
         return invalid("friction", friction.to_string(), "0 to 2".into());
     }
-    let max_spin = MAX_SPEED / length(&[0.5 * b.size[0], 0.5 * b.size[1], 0.5 * b.size[2]]);
+    let max_spin = max_spin(b);
     for (field, vector, unit, max, expected) in [
         ("velocity", &b.velocity, " m/s", MAX_SPEED, format!("a speed of at most {MAX_SPEED} m/s")),
-        ("spin", &b.spin, " rad/s", max_spin, format!("at most {max_spin:.1} rad/s, where a corner moves at 100 m/s")),
+        (
+            "spin",
+            &b.spin,
+            " rad/s",
+            max_spin,
+            format!("at most {max_spin:.1} rad/s about this axis, where a corner moves at 100 m/s"),
+        ),
     ] {
         if b.fixed && *vector != [0.0; 3] {
             return invalid(field, list(vector, unit), "zeros for a fixed block".into());
@@ -191,6 +199,22 @@ fn validate_block(b: &Block) -> Result<(), SceneError> {
         }
     }
     Ok(())
+}
+
+/// Maximum spin of a block about the axis of its spin, rad/s: that at which the fastest corner has
+/// [`MAX_SPEED`] about the centre.
+fn max_spin(b: &Block) -> f64 {
+    let spin = DVec3::from_array(b.spin);
+    let largest = spin.abs().max_element();
+    if largest == 0.0 || !largest.is_finite() {
+        return 0.0;
+    }
+    let q = DQuat::from_array(b.rotation());
+    let half = DVec3::from_array(b.size) / 2.0;
+    let axis = q.conjugate() * (spin / largest).normalize();
+    // Opposite corners are equally fast.
+    let corners = [[1.0, 1.0, 1.0], [-1.0, 1.0, 1.0], [1.0, -1.0, 1.0], [1.0, 1.0, -1.0]];
+    MAX_SPEED / corners.iter().map(|&signs| axis.cross(half * DVec3::from_array(signs)).length()).fold(0.0, f64::max)
 }
 
 fn validate_orientation(b: &Block) -> Result<(), SceneError> {

@@ -185,10 +185,10 @@ fn motions_that_are_too_fast_are_refused() {
         error_of_block("velocity", json!([0, 80, 80])),
         "block 7: `velocity` is [0, 80, 80] m/s, expected a speed of at most 100 m/s"
     );
-    // A corner is 43.6 mm from the centre.
+    // A corner is 42.7 mm from the axis.
     assert_eq!(
         error_of_block("spin", json!([0, 0, 2400])),
-        "block 7: `spin` is [0, 0, 2400] rad/s, expected at most 2293.7 rad/s, where a corner moves at 100 m/s"
+        "block 7: `spin` is [0, 0, 2400] rad/s, expected at most 2344.2 rad/s about this axis, where a corner moves at 100 m/s"
     );
     let mut scene = valid_scene();
     scene["blocks"][0]["velocity"] = json!([100, 0, 0]);
@@ -204,6 +204,23 @@ fn motions_that_are_too_fast_are_refused() {
         error_line(&scene.to_string()),
         "block 7: `spin` is [0, 2290, 0] rad/s, expected zeros for a fixed block"
     );
+}
+
+#[test]
+fn a_ruler_may_spin_fast_about_its_length() {
+    let mut scene = valid_scene();
+    scene["blocks"][0]["size"] = json!([1.0, 0.02, 0.003]);
+    scene["blocks"][0]["pos"] = json!([0, 0, 5]);
+    scene["blocks"].as_array_mut().unwrap().truncate(1);
+    // Its corners are 10 mm from the axis.
+    scene["blocks"][0]["spin"] = json!([9000, 0, 0]);
+    assert_eq!(error_line_of(&scene), None);
+    scene["blocks"][0]["spin"] = json!([0, 0, 300]);
+    assert!(error_line_of(&scene).unwrap().contains("at most 200.0 rad/s about this axis"));
+}
+
+fn error_line_of(scene: &serde_json::Value) -> Option<String> {
+    Scene::from_json(&scene.to_string()).err().map(|error| error.to_string())
 }
 
 #[test]

@@ -4,6 +4,7 @@ use glam::DVec3;
 
 use crate::actuator::drive::DriveController;
 use crate::actuator::hand::{BatchTime, HandController, HandTarget};
+use crate::actuator::limits;
 use crate::body::{Bodies, Shapes};
 use crate::body_id::BodyId;
 use crate::input::{AppliedForce, Drive, Hand, Input};
@@ -48,12 +49,9 @@ impl ClusterInput {
             let from = target.filter(|target| target.body == hand.body).map(|target| HandTarget { body: i, ..target });
             inputs[c].hand = Some((Hand { body: i, ..hand.clone() }, from));
         }
-        for force in &input.forces {
+        for (k, force) in input.forces.iter().enumerate() {
             let (c, i) = location(force.body);
-            let last = previous
-                .iter()
-                .find(|f| f.body == force.body && f.point == force.point)
-                .map_or(DVec3::ZERO, |f| f.force);
+            let last = ramp_start(previous, k, force);
             inputs[c].forces.push((AppliedForce { body: i, ..*force }, last));
         }
         for drive in &input.drives {
@@ -71,15 +69,15 @@ impl ClusterInput {
     }
 
     /// Force (N) and torque (N m) of the applied forces on body `i` when a share `progress` of the
-    /// frame has passed.
-    pub fn force(&self, bodies: &Bodies, i: usize, progress: f64) -> (DVec3, DVec3) {
+    /// frame has passed, within the limits of the body.
+    pub fn force(&self, shapes: &Shapes, bodies: &Bodies, i: usize, progress: f64) -> (DVec3, DVec3) {
         let mut sum = (DVec3::ZERO, DVec3::ZERO);
         for (applied, before) in self.forces.iter().filter(|(f, _)| f.body.index() == i) {
             let force = *before + (applied.force - *before) * progress;
             sum.0 += force;
             sum.1 += (bodies.orientation[i] * applied.point).cross(force);
         }
-        sum
+        if self.forces.is_empty() { sum } else { limits::limited(shapes, i, bodies.orientation[i], sum) }
     }
 
     /// Controllers of hand and drives for a batch.
@@ -92,21 +90,46 @@ impl ClusterInput {
     }
 }
 
-/// Speeds to which an input may accelerate bodies in a frame of `frame` (s), m/s: the target speed,
-/// or the speed that the force gives.
-pub fn input_speeds(
+/// Force at which number `k` of the forces begins its ramp, N: that of the same body and point in
+/// the last step. Forces mostly keep their order, and one may act at the same point as another.
+fn ramp_start(previous: &[AppliedForce], k: usize, force: &AppliedForce) -> DVec3 {
+    let same = |f: &&AppliedForce| f.body == force.body && f.point == force.point;
+    previous.get(k).filter(same).or_else(|| previous.iter().find(same)).map_or(DVec3::ZERO, |f| f.force)
+}
+
+/// Speeds to which an input may accelerate bodies in a frame of `frame` (s), m/s: the sum of the
+/// target speeds and of the speeds that the forces give, one entry a body. `target` and `previous`
+/// are hand and forces at the end of the last step.
+pub fn input_speeds<'a>(
     input: &Input,
-    target: Option<&HandTarget>,
+    (target, previous): (Option<&HandTarget>, &[AppliedForce]),
     frame: f64,
-    mass: impl Fn(BodyId) -> f64,
+    shapes: impl Fn(BodyId) -> (&'a Shapes, usize),
 ) -> Vec<(BodyId, f64)> {
+    let mass = |body: BodyId| {
+        let (shapes, i) = shapes(body);
+        shapes.mass[i]
+    };
     let drives = input.drives.iter().map(|d| (d.body, d.velocity.length()));
-    let forces = input.forces.iter().map(|f| (f.body, f.force.length() / mass(f.body) * frame));
+    let forces = input.forces.iter().enumerate().map(|(k, f)| {
+        let force = f.force.length().max(ramp_start(previous, k, f).length());
+        let (shapes, i) = shapes(f.body);
+        (f.body, limits::speed_gain(shapes, i, (force, f.point.length()), frame))
+    });
     let hand = input.hand.iter().map(|hand| {
         let distance = target
             .filter(|target| target.body == hand.body)
             .map_or(0.0, |target| (hand.target - target.target).length());
         (hand.body, distance / frame + hand.max_force / mass(hand.body) * frame)
     });
-    drives.chain(forces).chain(hand).collect()
+    let mut speeds: Vec<(BodyId, f64)> = drives.chain(forces).chain(hand).collect();
+    speeds.sort_by_key(|&(body, _)| body);
+    speeds.dedup_by(|next, sum| {
+        let same = next.0 == sum.0;
+        if same {
+            sum.1 += next.1;
+        }
+        same
+    });
+    speeds
 }

@@ -2,6 +2,7 @@
 
 use glam::{DMat3, DVec3};
 
+use crate::actuator::limits;
 use crate::body::{Bodies, BodyForce, Shapes};
 use crate::input::Drive;
 
@@ -23,13 +24,14 @@ impl DriveController {
     /// Controller for the bodies of a cluster.
     pub fn new(drive: &Drive, shapes: &Shapes, bodies: &Bodies) -> Self {
         let i = drive.body.index();
+        let max_force = drive.max_force.min(limits::max_force(shapes, i));
         Self {
             body: i,
             velocity: drive.velocity,
             mass: shapes.mass[i],
             inertia: bodies.inertia(shapes, i),
-            max_force: drive.max_force,
-            max_torque: drive.max_force * shapes.radius[i],
+            max_force,
+            max_torque: (max_force * shapes.radius[i]).min(limits::max_torque(shapes, i)),
         }
     }
 

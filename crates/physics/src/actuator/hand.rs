@@ -2,6 +2,7 @@
 
 use glam::{DMat3, DQuat, DVec3};
 
+use crate::actuator::limits;
 use crate::body::{Bodies, BodyForce, Shapes, rotated, rotation_between};
 use crate::body_id::BodyId;
 use crate::constants::{HAND_LIFT, HAND_RATE, HAND_ROTATION_RATE};
@@ -110,8 +111,8 @@ impl HandController {
             inertia: bodies.inertia(shapes, i),
             weight,
             carried: share * weight,
-            max_force: hand.max_force,
-            max_torque: hand.max_torque,
+            max_force: hand.max_force.min(limits::max_force(shapes, i)),
+            max_torque: hand.max_torque.min(limits::max_torque(shapes, i)),
             report: HandReport { point, ..HandReport::default() },
         }
     }

@@ -3,3 +3,4 @@
 pub mod cluster_input;
 pub mod drive;
 pub mod hand;
+pub mod limits;

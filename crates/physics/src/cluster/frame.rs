@@ -7,7 +7,7 @@ use crate::actuator::cluster_input::ClusterInput;
 use crate::actuator::hand::BatchTime;
 use crate::body::FLOOR;
 use crate::cluster::Cluster;
-use crate::cluster::{rest, sync, travel_budget};
+use crate::cluster::{energy, rest, sync, travel_budget};
 use crate::collision::contacts::{Contacts, needs_detection};
 use crate::collision::passivity::fade;
 use crate::constants::{MIN_SWEEP, SYNC_SHARE, SYNC_TIME};
@@ -76,8 +76,9 @@ pub struct ClusterReport {
 }
 
 impl Cluster {
-    /// Resets packing and kernel for a frame.
-    pub fn begin_frame(&mut self, frame: &Frame) {
+    /// Resets packing and kernel for a frame, and enters its energy.
+    pub fn begin_frame(&mut self, frame: &Frame, input: &ClusterInput) {
+        self.energy = energy::entered(self, &frame.derived, frame.gravity, input);
         self.packing.reset(&self.bodies);
         for manifold in self.contacts.manifolds.iter_mut().filter(|manifold| manifold.free_depth > 0.0) {
             fade(manifold, frame.derived.frame, &self.shapes);
@@ -139,7 +140,7 @@ impl Cluster {
         with_kernel!(*kernel, |kernel| {
             packing.pack(kernel, contacts, &input, synced);
             for i in synced.iter().chain(synced.adjacent.iter().map(|&i| i as usize)) {
-                let (force, torque) = cluster_input.force(bodies, i, progress);
+                let (force, torque) = cluster_input.force(shapes, bodies, i, progress);
                 packing.load[i] = (shapes.mass[i] * gravity + force, torque);
                 if synced.members[i] {
                     packing.rotation_budget[i] =
@@ -244,7 +245,7 @@ impl Cluster {
             sync::integrate_ballistic(&self.bodies, i, acceleration, time, &mut delta);
         }
         self.packing.synced_at[i] = done;
-        if !sync::is_valid(&self.shapes, i, &delta) {
+        if !sync::is_valid(&self.shapes, &self.bodies, i, &delta, self.energy) {
             sync::quarantine(&mut self.bodies, &mut self.contacts, i);
             report.quarantined.push(i as u32);
             return;
@@ -270,8 +271,7 @@ impl Cluster {
         }
         let left = (frame.derived.substeps - done) as f64 * frame.derived.h;
         let growth = MIN_SWEEP + 2.0 * self.max_speed() * left;
-        let (pairs, outgrown) = self.contacts.candidate_pairs(&self.shapes, &mut self.bodies, &due, growth);
-        self.outgrown |= outgrown;
+        let pairs = self.contacts.candidate_pairs(&self.shapes, &mut self.bodies, &due, growth);
         let before = synced.adjacent.len();
         if !synced.all {
             for &(low, high) in &pairs {

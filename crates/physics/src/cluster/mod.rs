@@ -1,6 +1,7 @@
 //! Cluster: bodies that may touch each other within a frame, with all that is needed to step them
 //! independently of other clusters.
 
+pub mod energy;
 pub mod frame;
 pub mod island;
 pub mod partition;
@@ -11,7 +12,6 @@ pub mod travel_budget;
 use teeter_scene::Form;
 
 use crate::body::{Bodies, FLOOR, Shapes};
-use crate::collision::broad_phase::Aabb;
 use crate::collision::contacts::Contacts;
 use crate::collision::manifold::{Manifold, key};
 use crate::kernel::any_kernel::AnyKernel;
@@ -30,12 +30,10 @@ pub struct Cluster {
     /// Particles of each body; empty for rigid bodies.
     pub particles: Vec<Particles>,
     pub contacts: Contacts,
-    /// Bounds around the swept bounds of all bodies.
-    pub hull: Aabb,
-    /// True if a body has left its swept bounds.
-    pub outgrown: bool,
     pub kernel: AnyKernel,
     pub packing: Packing,
+    /// Upper bound of the energy of a body within the frame, J, see [`energy`]; set at its start.
+    pub energy: f64,
 }
 
 impl Cluster {
@@ -46,11 +44,10 @@ impl Cluster {
             shapes: Shapes::default(),
             bodies: Bodies::default(),
             contacts: Contacts::default(),
-            hull: Aabb::default(),
-            outgrown: false,
             particles: Vec::new(),
             kernel: AnyKernel::new(params, form),
             packing: Packing::default(),
+            energy: 0.0,
         }
     }
 
@@ -77,7 +74,6 @@ impl Cluster {
         self.particles.extend(from.particles.get(i));
         self.contacts.bounds.push(from.contacts.bounds[i]);
         self.contacts.swept.push(from.contacts.swept[i]);
-        self.hull = self.hull.union(&from.contacts.swept[i]);
     }
 
     /// Copies manifolds of another cluster. `index` maps its body indices to those of this cluster;

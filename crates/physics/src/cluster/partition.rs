@@ -86,13 +86,11 @@ impl Clusters {
                 let fastest: &mut f64 = &mut fastest[self.locations[body.index()].0 as usize];
                 *fastest = fastest.max(speed);
             }
-            let mut changed: Vec<usize> = Vec::new();
-            for (c, (cluster, input_speed)) in self.list.iter_mut().zip(fastest).enumerate() {
-                if cluster.is_awake() && update_swept(cluster, frame, input_speed) {
-                    changed.push(c);
-                }
+            let mut changed: Vec<bool> = Vec::new();
+            for (cluster, input_speed) in self.list.iter_mut().zip(fastest) {
+                changed.push(update_swept(cluster, frame, input_speed));
             }
-            if changed.is_empty() || !self.divide(params, form, &changed) {
+            if !changed.contains(&true) || !self.divide(params, form, &changed) {
                 return;
             }
         }
@@ -100,10 +98,8 @@ impl Clusters {
 
     /// Divides the changed clusters, and those within their reach, into connected parts. Returns
     /// true if the clusters differ from before.
-    fn divide(&mut self, params: &Params, form: Form, changed: &[usize]) -> bool {
-        let in_reach =
-            |c: usize| changed.contains(&c) || changed.iter().any(|&d| self.list[c].hull.overlaps(&self.list[d].hull));
-        let involved: Vec<usize> = (0..self.list.len()).filter(|&c| in_reach(c)).collect();
+    fn divide(&mut self, params: &Params, form: Form, changed: &[bool]) -> bool {
+        let involved = self.in_reach(changed);
         let mut ids: Vec<u32> = involved.iter().flat_map(|&c| self.list[c].ids.iter().copied()).collect();
         ids.sort_unstable();
         let swept: Vec<Aabb> =
@@ -123,13 +119,31 @@ impl Clusters {
         !same
     }
 
+    /// Clusters that have changed, or whose hull overlaps that of one that has.
+    ///
+    /// Hulls are computed here and never stored: swept bounds grow in several steps, and a snapshot
+    /// holds the bounds alone.
+    fn in_reach(&self, changed: &[bool]) -> Vec<usize> {
+        let mut involved = changed.to_vec();
+        if changed.contains(&false) {
+            let hull = |cluster: &Cluster| cluster.contacts.swept.iter().fold(Aabb::default(), |a, b| a.union(b));
+            let hulls: Vec<Aabb> = self.list.iter().map(hull).collect();
+            for (a, b) in overlapping_pairs(&hulls) {
+                let (a, b) = (a as usize, b as usize);
+                involved[a] |= changed[b];
+                involved[b] |= changed[a];
+            }
+        }
+        (0..involved.len()).filter(|&c| involved[c]).collect()
+    }
+
     /// Divides a single cluster into parts of the given members.
     pub fn split(&mut self, params: &Params, form: Form, parts: &[Vec<u32>]) {
         self.rebuild(params, form, &[0], parts);
         self.list.iter_mut().for_each(|cluster| cluster.contacts.update_neighbours());
     }
 
-    /// Replaces the clusters `involved` by clusters of the given members.
+    /// Replaces the clusters `involved` (sorted) by clusters of the given members.
     fn rebuild(&mut self, params: &Params, form: Form, involved: &[usize], parts: &[Vec<u32>]) {
         let mut next: Vec<Cluster> = Vec::new();
         for part in parts {
@@ -152,7 +166,7 @@ impl Clusters {
         let mut c = 0;
         self.list.retain(|_| {
             c += 1;
-            !involved.contains(&(c - 1))
+            involved.binary_search(&(c - 1)).is_err()
         });
         self.list.extend(next);
         self.list.sort_by_key(|cluster| cluster.ids[0]);
@@ -174,17 +188,21 @@ impl Clusters {
                 overlapping_pairs(&contacts.bounds).into_iter().filter(is_new).flat_map(|(a, b)| [a, b]).collect();
             due.sort_unstable();
             due.dedup();
-            let (pairs, _) = contacts.candidate_pairs(&cluster.shapes, &mut cluster.bodies, &due, MIN_SWEEP);
+            let pairs = contacts.candidate_pairs(&cluster.shapes, &mut cluster.bodies, &due, MIN_SWEEP);
             contacts.detect(&cluster.shapes, &mut cluster.bodies, &due, &pairs);
         }
     }
 }
 
 /// Updates the swept bounds of a cluster whose bodies the input may move at `input_speed` (m/s).
-/// Returns true if any has changed.
+/// Returns true if any has changed since the last update. Those of bodies that nothing moves stay,
+/// but may have grown in the frame in which the last of them was quarantined or fell asleep.
 fn update_swept(cluster: &mut Cluster, frame: f64, input_speed: f64) -> bool {
+    let mut changed = std::mem::take(&mut cluster.contacts.outgrown);
+    if !cluster.is_awake() {
+        return changed;
+    }
     let reach = MIN_SWEEP + SWEEP_FACTOR * frame * cluster.max_speed().max(input_speed);
-    let mut changed = std::mem::take(&mut cluster.outgrown);
     for i in 0..cluster.len() {
         let needed = Aabb::new(&cluster.shapes, &cluster.bodies, i, reach).union(&cluster.contacts.bounds[i]);
         let swept = &mut cluster.contacts.swept[i];
@@ -192,9 +210,6 @@ fn update_swept(cluster: &mut Cluster, frame: f64, input_speed: f64) -> bool {
             *swept = needed.grown(SWEEP_SLACK);
             changed = true;
         }
-    }
-    if changed {
-        cluster.hull = cluster.contacts.swept.iter().fold(Aabb::default(), |hull, bound| hull.union(bound));
     }
     changed
 }

@@ -3,6 +3,7 @@
 use glam::DVec3;
 
 use crate::body::{Bodies, FLOOR, Shapes, rotated, world_tensor};
+use crate::cluster::energy;
 use crate::collision::contacts::Contacts;
 use crate::collision::manifold::ContactPoint;
 use crate::constants::RUNAWAY_SPEED;
@@ -90,11 +91,14 @@ pub fn integrate_ballistic(bodies: &Bodies, i: usize, acceleration: DVec3, time:
     }
 }
 
-/// Returns true if a change is finite and slower than [`RUNAWAY_SPEED`].
-pub fn is_valid(shapes: &Shapes, i: usize, delta: &BodyDelta) -> bool {
-    let finite = delta.displacement.is_finite() && delta.rotation.is_finite();
-    let particles = delta.particles.iter().flatten().all(|(u, v)| u.is_finite() && v.length() < RUNAWAY_SPEED);
-    finite && particles && delta.velocity.length() + delta.spin.length() * shapes.radius[i] < RUNAWAY_SPEED
+/// Returns true if a change is finite, and slow or accounted for by the energy entered (J).
+pub fn is_valid(shapes: &Shapes, bodies: &Bodies, i: usize, delta: &BodyDelta, entered: f64) -> bool {
+    let mut particles = delta.particles.iter().flatten();
+    let finite = delta.displacement.is_finite() && delta.rotation.is_finite() && particles.all(|(u, _)| u.is_finite());
+    let mut particles = delta.particles.iter().flatten();
+    let slow = delta.velocity.length() + delta.spin.length() * shapes.radius[i] < RUNAWAY_SPEED
+        && particles.all(|(_, v)| v.length() < RUNAWAY_SPEED);
+    finite && (slow || energy::is_accounted(shapes, bodies, i, delta, entered))
 }
 
 /// Freezes a body at its last pose, and resets the springs of its contacts.

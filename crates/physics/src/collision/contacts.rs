@@ -29,6 +29,9 @@ pub struct Contacts {
     /// Swept bounds of each body for a frame or longer, see [`crate::cluster::partition`]; they
     /// contain `bounds`.
     pub swept: Vec<Aabb>,
+    /// True if swept bounds have grown since the clusters were last updated.
+    #[serde(skip)]
+    pub outgrown: bool,
     /// Pairs of bodies of which the swept bounds overlap.
     #[serde(skip)]
     neighbours: Neighbours,
@@ -60,14 +63,14 @@ impl Contacts {
     /// lower index or floor first.
     ///
     /// A body hit harder than any body moved before leaves its swept bounds. These are then grown
-    /// by `growth` (m), and the second result is true.
+    /// by `growth` (m), and `outgrown` is set.
     pub fn candidate_pairs(
         &mut self,
         shapes: &Shapes,
         bodies: &mut Bodies,
         due: &[u32],
         growth: f64,
-    ) -> (Vec<(u32, u32)>, bool) {
+    ) -> Vec<(u32, u32)> {
         let mut swept_changed = false;
         for i in due.iter().map(|&i| i as usize) {
             bodies.margin[i] = (bodies.max_point_speed(shapes, i) * MARGIN_TIME).clamp(MARGIN_RANGE.0, MARGIN_RANGE.1);
@@ -79,6 +82,7 @@ impl Contacts {
             }
         }
         if swept_changed {
+            self.outgrown = true;
             self.update_neighbours();
         }
         let mut pairs = Vec::new();
@@ -94,7 +98,7 @@ impl Contacts {
                 }
             }
         }
-        (pairs, swept_changed)
+        pairs
     }
 
     /// Tests the pairs, which must be all candidate pairs of the bodies in `due` (sorted), and
@@ -143,7 +147,7 @@ impl Contacts {
     /// Detects all contacts of all bodies.
     pub fn detect_all(&mut self, shapes: &Shapes, bodies: &mut Bodies) {
         let all: Vec<u32> = (0..bodies.len() as u32).collect();
-        let (pairs, _) = self.candidate_pairs(shapes, bodies, &all, 0.0);
+        let pairs = self.candidate_pairs(shapes, bodies, &all, 0.0);
         self.detect(shapes, bodies, &all, &pairs);
     }
 

@@ -12,6 +12,7 @@ use crate::body::{Bodies, FLOOR, Shapes};
 use crate::collision::contacts::Contacts;
 use crate::collision::manifold::Manifold;
 use crate::collision::stable_spring::stable_spring;
+use crate::constants::RUNAWAY_SPEED;
 use crate::derived::Derived;
 use crate::kernel::body_model::{BodyModel, KernelBody};
 use crate::kernel::inner_loop::Kernel;
@@ -70,6 +71,17 @@ pub struct Packing {
     reference: DVec3,
 }
 
+/// Reference point of a cluster, m: the mean of the positions. Bodies that leave it fast are left
+/// out: a reference far from the others would cost them digits.
+fn reference_point(bodies: &Bodies) -> DVec3 {
+    let slow = |i: &usize| bodies.velocity[*i].length_squared() < RUNAWAY_SPEED * RUNAWAY_SPEED;
+    let count = (0..bodies.len()).filter(slow).count();
+    if count == 0 {
+        return bodies.position.iter().sum::<DVec3>() / bodies.len() as f64;
+    }
+    (0..bodies.len()).filter(slow).map(|i| bodies.position[i]).sum::<DVec3>() / count as f64
+}
+
 impl Packing {
     /// Resets the packing at the start of a frame.
     pub fn reset(&mut self, bodies: &Bodies) {
@@ -87,7 +99,7 @@ impl Packing {
         self.load.resize(n, (DVec3::ZERO, DVec3::ZERO));
         self.synced_at.clear();
         self.synced_at.resize(n, 0);
-        self.reference = bodies.position.iter().sum::<DVec3>() / n as f64;
+        self.reference = reference_point(bodies);
     }
 
     /// Stores the springs of synced bodies in the manifolds, and removes their entries from the
