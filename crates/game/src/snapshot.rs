@@ -1,7 +1,8 @@
 //! State of a game as bytes: that of the world, of the hand, and of the detectors.
 
 use serde::{Deserialize, Serialize};
-use teeter_physics::World;
+use teeter_physics::envelope::{EnvelopeError, open, seal};
+use teeter_physics::{World, numbers_within};
 
 use crate::blocks::Blocks;
 use crate::fall::FallDetector;
@@ -11,8 +12,8 @@ use crate::rest::RestDetector;
 use crate::simulator::Simulator;
 use crate::stiffness_ramp::{BlockForm, StiffnessRamp};
 
-/// First bytes of a snapshot: its kind, and the version of its layout.
-const MAGIC: &[u8] = b"teeter-game\x00\x02";
+/// Kind of a snapshot: name and version of its layout.
+const KIND: &[u8] = b"teeter-game\x00\x03";
 
 /// Reason why bytes are no snapshot of a game.
 ///
@@ -53,7 +54,8 @@ struct State {
 }
 
 impl Game<World> {
-    /// State of the game as bytes. They hold neither the scene nor the constants of the run.
+    /// State of the game as bytes. They hold neither the scene nor the constants of the run, and
+    /// begin with their kind and version, their length and a checksum.
     ///
     /// # Panics
     /// Never: the state is plain numbers, which can always be written.
@@ -66,21 +68,25 @@ impl Game<World> {
             form: self.simulator.block_form(),
             world: self.simulator.snapshot(),
         };
-        let mut bytes = MAGIC.to_vec();
-        bytes.extend(postcard::to_stdvec(&state).expect("plain numbers can always be written"));
-        bytes
+        seal(KIND, &postcard::to_stdvec(&state).expect("plain numbers can always be written"))
     }
 
     /// Takes over a state of a game of the same scene and constants; it goes on bit for bit as that
     /// one did.
     ///
     /// # Errors
-    /// When the bytes are no snapshot, or one of another world; the game is unchanged then.
+    /// When the bytes are no snapshot of this version, or one of another world, or anything in them
+    /// has changed; the game is unchanged then.
     pub fn restore(&mut self, bytes: &[u8]) -> Result<(), RestoreError> {
-        let body = bytes.strip_prefix(MAGIC).ok_or(RestoreError::Magic)?;
-        let state: State = postcard::from_bytes(body).map_err(|_| RestoreError::Damaged)?;
+        let content = open(KIND, bytes).map_err(|error| match error {
+            EnvelopeError::Kind => RestoreError::Magic,
+            EnvelopeError::Damaged => RestoreError::Damaged,
+        })?;
+        let Ok((state, [])) = postcard::take_from_bytes::<State>(content) else {
+            return Err(RestoreError::Damaged);
+        };
         let count = self.simulator.len();
-        if !state.controller.is_of(count) || !state.fall.is_of(count) {
+        if !numbers_within(&state, f64::MAX) || !state.controller.is_of(count) || !state.fall.is_of(count) {
             return Err(RestoreError::Damaged);
         }
         let mut world = self.simulator.clone();

@@ -3,12 +3,15 @@
 mod actuator;
 mod body;
 mod body_id;
+mod bounded;
 mod cluster;
 mod collision;
 mod constants;
 mod contact_spring;
 mod derived;
 mod energy;
+#[doc(hidden)]
+pub mod envelope;
 mod input;
 mod kernel;
 mod lattice;
@@ -25,10 +28,13 @@ mod snapshot;
 mod start;
 mod step;
 mod step_io;
+mod valid_state;
 mod warning;
 mod world;
 
 pub use body_id::BodyId;
+#[doc(hidden)]
+pub use bounded::numbers_within;
 pub use constants::REFERENCE_AREA;
 pub use energy::Energy;
 pub use input::{AppliedForce, Drive, Grip, Hand, Input};

@@ -4,6 +4,7 @@ use crate::common::tower;
 use glam::{DQuat, DVec2, DVec3};
 use proptest::prelude::*;
 use teeter_game::{CellId, Command, Game, GripMode};
+use teeter_physics::envelope::seal;
 use teeter_physics::{BodyId, Params, World};
 use teeter_scene::Form;
 
@@ -74,18 +75,39 @@ proptest! {
     }
 
     #[test]
-    fn damaged_snapshots_never_panic(at in any::<prop::sample::Index>(), value in any::<u8>()) {
-        let mut game = Game::new(World::new(&tower(3, 1), Params::default()).expect("the scene is valid"));
-        game.step(&Command::Grasp { body: BodyId(7), anchor: DVec3::ZERO, normal: DVec3::Z, grip: GripMode::Auto });
-        game.step(&Command::Place { body: None, slot: None });
-        let mut bytes = game.snapshot();
+    fn damaged_snapshots_are_refused(at in any::<prop::sample::Index>(), value in any::<u8>()) {
+        let (mut game, bytes) = placing();
+        let mut damaged = bytes.clone();
+        let at = at.index(bytes.len());
+        damaged[at] = value;
+        prop_assert_eq!(game.restore(&damaged).is_ok(), damaged == bytes);
+        prop_assert!(game.restore(&bytes[..at]).is_err());
+        prop_assert_eq!(game.snapshot(), bytes);
+    }
+
+    #[test]
+    fn forged_snapshots_never_panic(changes in prop::collection::vec((any::<prop::sample::Index>(), any::<u8>()), 1..4)) {
+        let (mut game, bytes) = placing();
+        let kind = b"teeter-game\x00\x03";
+        let mut content = bytes[kind.len() + 16..].to_vec();
         // The world's own bytes come last and are checked by the physics.
-        let at = at.index(bytes.len() - game.world().snapshot().len());
-        bytes[at] = value;
-        if game.restore(&bytes).is_ok() {
+        let own = content.len() - game.world().snapshot().len();
+        for (at, value) in changes {
+            content[at.index(own)] = value;
+        }
+        if game.restore(&seal(kind, &content)).is_ok() {
             for _ in 0..3 {
                 game.step(&Command::Idle);
             }
         }
     }
+}
+
+/// A game in which a block is being placed, and a snapshot of it.
+fn placing() -> (Game, Vec<u8>) {
+    let mut game = Game::new(World::new(&tower(3, 1), Params::default()).expect("the scene is valid"));
+    game.step(&Command::Grasp { body: BodyId(7), anchor: DVec3::ZERO, normal: DVec3::Z, grip: GripMode::Auto });
+    game.step(&Command::Place { body: None, slot: None });
+    let bytes = game.snapshot();
+    (game, bytes)
 }
