@@ -33,6 +33,7 @@ check: page ## Formatting, lints, words, documents and packages
 	cargo clippy --workspace --all-targets --locked --features teeter-cli/page -- -D warnings
 	RUSTDOCFLAGS="-D warnings" cargo doc --workspace --no-deps --locked
 	tools/package
+	tools/dependencies check
 	cd web && npm run check && npx prettier --config .prettierrc.json --check ../tools/checks
 
 format: ## Format everything

@@ -11,6 +11,7 @@ use teeter_report::validation::{DataSheetError, RealRowsError};
 use teeter_scene::{NAMED, SceneError, printable};
 
 use crate::json_fields::FieldError;
+use crate::message::message as print;
 
 /// Exit code for bad input.
 const BAD_INPUT: u8 = 2;
@@ -27,6 +28,9 @@ pub enum Error {
     /// Standard output that cannot be written.
     #[error("standard output cannot be written: {0}")]
     Stdout(io::Error),
+    /// Standard error that cannot be written, where it has the report.
+    #[error("standard error cannot be written: {0}")]
+    Stderr(io::Error),
     /// Input that cannot be read.
     #[error("{name}: {source}")]
     Input {
@@ -149,10 +153,10 @@ pub enum Error {
     #[cfg(feature = "page")]
     #[error("the server cannot start: {0}")]
     Start(io::Error),
-    /// Server that has ended by itself.
+    /// Machine that is in no network.
     #[cfg(feature = "page")]
-    #[error("the server ended: {0}")]
-    Serve(io::Error),
+    #[error("this machine is in no network, so --lan shows the page to nobody: {0}")]
+    NoNetwork(io::Error),
     /// Port that is in use.
     #[cfg(feature = "page")]
     #[error("port {0} is taken: choose another with --port, or leave --port out for a free one")]
@@ -250,7 +254,7 @@ fn names() -> String {
 
 fn report_line(message: &str) -> ExitCode {
     // Names of files and scenes can contain any character, also line breaks.
-    eprintln!("teeter: {}", printable(message));
+    print(&format!("teeter: {}", printable(message)));
     ExitCode::from(BAD_INPUT)
 }
 

@@ -4,8 +4,10 @@ use std::io::{self, Write};
 use std::path::Path;
 
 use teeter_report::OutFile;
+use teeter_scene::printable_json;
 
 use crate::error::Error;
+use crate::message::printable_lines;
 
 /// Output of `--out`: a file that appears whole or not at all, or standard output.
 pub enum Output {
@@ -33,10 +35,10 @@ impl Output {
         matches!(self, Self::Stdout)
     }
 
-    /// Writes a line.
+    /// Writes a line as it is.
     pub fn line(&mut self, text: &str) -> Result<(), Error> {
         match self {
-            Self::Stdout => line(text),
+            Self::Stdout => raw_line(text),
             Self::File(file, name) => {
                 writeln!(file, "{text}").map_err(|source| Error::Write { name: name.clone(), source })
             }
@@ -52,8 +54,13 @@ impl Output {
     }
 }
 
-/// Writes a line to standard output.
+/// Writes text to standard output, with the end of its last line. Names of files and scenes may
+/// contain what changes a terminal, so lines are made printable.
 pub fn line(text: &str) -> Result<(), Error> {
+    raw_line(&printable_lines(text))
+}
+
+fn raw_line(text: &str) -> Result<(), Error> {
     let mut out = io::stdout().lock();
     writeln!(out, "{text}").and_then(|()| out.flush()).map_err(|error| match error.kind() {
         io::ErrorKind::BrokenPipe => Error::StdoutClosed,
@@ -65,18 +72,18 @@ pub fn line(text: &str) -> Result<(), Error> {
 /// has the data.
 pub fn report(text: &str, stdout_has_data: bool) -> Result<(), Error> {
     if stdout_has_data {
-        eprintln!("{text}");
-        return Ok(());
+        return writeln!(io::stderr(), "{}", printable_lines(text)).map_err(Error::Stderr);
     }
     line(text)
 }
 
 /// Writes a value to standard output as one line of JSON.
 pub fn json(value: &impl serde::Serialize) -> Result<(), Error> {
-    line(&to_json(value))
+    raw_line(&to_json(value))
 }
 
-/// Returns a value as one line of JSON.
+/// Returns a value as one line of printable JSON.
 pub fn to_json(value: &impl serde::Serialize) -> String {
-    serde_json::to_string(value).expect("the values are plain data, and memory can be written")
+    let json = serde_json::to_string(value).expect("the values are plain data, and memory can be written");
+    printable_json(&json)
 }

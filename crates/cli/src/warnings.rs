@@ -4,6 +4,8 @@ use serde::Serialize;
 use teeter_physics::World;
 use teeter_scene::printable;
 
+use crate::message::message;
+
 /// Warnings of a command: printed to standard error as they come, a line each, and listed in its
 /// report.
 #[derive(Debug, Default, Serialize)]
@@ -14,7 +16,7 @@ impl Warnings {
     /// Prints a warning and adds it.
     pub fn add(&mut self, text: &str) {
         let line = printable(text);
-        eprintln!("warning: {line}");
+        message(&format!("warning: {line}"));
         self.0.push(line);
     }
 

@@ -110,3 +110,13 @@ fn edges_of_towers_can_be_round() {
     let expected = "`edge_radius` is 0.007 m, expected 0 to 0.006000 m, a third of the smallest edge of block 0";
     assert_eq!(done.error_line(), expected);
 }
+
+#[test]
+fn the_licences_of_all_parts_are_printed() {
+    let done = common::teeter(&["--licences"]);
+    assert_eq!((done.code, done.err.as_str()), (0, ""));
+    for part in ["standard library of Rust", "* three 0.", "* glam 0.", "* clap 4.", "Permission is hereby granted"] {
+        assert!(done.out.contains(part), "{part}");
+    }
+    assert_eq!(common::teeter(&["--licenses"]).out, done.out);
+}

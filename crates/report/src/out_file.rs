@@ -3,6 +3,7 @@
 use std::fs::{self, File, OpenOptions};
 use std::io::{self, BufWriter, Write};
 use std::path::{Path, PathBuf};
+use std::sync::{Mutex, MutexGuard, PoisonError};
 
 use tempfile::NamedTempFile;
 
@@ -28,10 +29,29 @@ use tempfile::NamedTempFile;
 #[derive(Debug)]
 pub struct OutFile(Sink);
 
+/// Files that are not finished. A program that is interrupted removes them, see
+/// [`OutFile::abandon_all`].
+static UNFINISHED: Mutex<Vec<PathBuf>> = Mutex::new(Vec::new());
+
+/// Entry of a file in [`UNFINISHED`], for as long as this lives.
+#[derive(Debug)]
+struct Unfinished(PathBuf);
+
+impl Drop for Unfinished {
+    fn drop(&mut self) {
+        unfinished().retain(|path| *path != self.0);
+    }
+}
+
+/// The list stays valid where a thread has panicked.
+fn unfinished() -> MutexGuard<'static, Vec<PathBuf>> {
+    UNFINISHED.lock().unwrap_or_else(PoisonError::into_inner)
+}
+
 #[derive(Debug)]
 enum Sink {
-    /// File beside the path, and the path.
-    Beside(BufWriter<NamedTempFile>, PathBuf),
+    /// File beside the path, its entry, and the path.
+    Beside(BufWriter<NamedTempFile>, Unfinished, PathBuf),
     /// Device or pipe, which cannot be renamed.
     Direct(BufWriter<File>),
 }
@@ -66,10 +86,26 @@ impl OutFile {
         let mut prefix = std::ffi::OsString::from(".");
         prefix.push(name);
         prefix.push(".");
+        // No file appears once all are abandoned.
+        let mut unfinished = unfinished();
         let beside = builder.prefix(&prefix).suffix(".tmp").tempfile_in(folder);
         // The name beside means nothing to a user, and the error would contain it.
         let beside = beside.map_err(|error| io::Error::from(error.kind()))?;
-        Ok(Self(Sink::Beside(BufWriter::new(beside), target)))
+        let path = beside.path().to_owned();
+        unfinished.push(path.clone());
+        Ok(Self(Sink::Beside(BufWriter::new(beside), Unfinished(path), target)))
+    }
+
+    /// Removes all files that are not finished: for a program that is about to end because it was
+    /// interrupted. A file that is about to be created or finished waits for as long as the result
+    /// lives.
+    pub fn abandon_all() -> impl Sized {
+        let unfinished = unfinished();
+        for path in unfinished.iter() {
+            // What is gone already needs no removal.
+            let _ = fs::remove_file(path);
+        }
+        unfinished
     }
 
     /// Writes what is buffered, and gives the file its name.
@@ -79,11 +115,15 @@ impl OutFile {
     pub fn finish(self) -> io::Result<()> {
         match self.0 {
             Sink::Direct(mut file) => file.flush(),
-            Sink::Beside(file, target) => {
+            Sink::Beside(file, entry, target) => {
                 let file = file.into_inner().map_err(io::IntoInnerError::into_error)?;
                 // After a power failure the new name must not lead to a file without its content.
                 file.as_file().sync_all()?;
-                file.persist(target).map(drop).map_err(|error| error.error)
+                let unfinished = unfinished();
+                let done = file.persist(target).map(drop).map_err(|error| error.error);
+                drop(unfinished);
+                drop(entry);
+                done
             }
         }
     }
@@ -92,14 +132,14 @@ impl OutFile {
 impl Write for OutFile {
     fn write(&mut self, bytes: &[u8]) -> io::Result<usize> {
         match &mut self.0 {
-            Sink::Beside(file, _) => file.write(bytes),
+            Sink::Beside(file, ..) => file.write(bytes),
             Sink::Direct(file) => file.write(bytes),
         }
     }
 
     fn flush(&mut self) -> io::Result<()> {
         match &mut self.0 {
-            Sink::Beside(file, _) => file.flush(),
+            Sink::Beside(file, ..) => file.flush(),
             Sink::Direct(file) => file.flush(),
         }
     }

@@ -15,6 +15,21 @@ pub fn printable(text: &str) -> String {
     text.chars().map(|c| if is_hidden(c) { ' ' } else { c }).collect()
 }
 
+/// Returns JSON with the characters that [`printable`] replaces written as escapes, which mean the
+/// same. In JSON they can only be a part of texts.
+///
+/// ```
+/// assert_eq!(teeter_scene::printable_json("{\"a\":\"\u{202e}\u{9b}\"}"), r#"{"a":"\u202e\u009b"}"#);
+/// ```
+pub fn printable_json(json: &str) -> String {
+    let mut text = String::with_capacity(json.len());
+    for c in json.chars() {
+        // All of them are below 0x10000, where an escape is one code unit.
+        if is_hidden(c) { text.push_str(&format!("\\u{:04x}", u32::from(c))) } else { text.push(c) }
+    }
+    text
+}
+
 /// Printable text of limited length, for a message.
 pub(crate) fn shown(text: &str) -> String {
     let mut start: String = text.chars().take(MAX_SHOWN).collect();

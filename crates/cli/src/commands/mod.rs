@@ -11,6 +11,7 @@ mod validate;
 use clap::Subcommand;
 
 use crate::error::Error;
+use crate::interrupt;
 
 /// Command with its arguments.
 #[derive(Debug, Subcommand)]
@@ -34,6 +35,10 @@ pub enum Command {
 impl Command {
     /// Runs the command.
     pub fn run(self) -> Result<(), Error> {
+        // The server ends by itself when it is interrupted.
+        if !matches!(self, Command::Play(_)) {
+            interrupt::watch();
+        }
         match self {
             Command::Play(play) => play.run(),
             Command::Scene(scenes) => scenes.run(),

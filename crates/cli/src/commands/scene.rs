@@ -132,7 +132,7 @@ impl Scenes {
                 named.material.apply(input::named_scene(&named.name)?)
             }
         };
-        output::line(&scene.to_json())
+        output::json(&scene)
     }
 }
 

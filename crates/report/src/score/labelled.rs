@@ -8,6 +8,10 @@ use teeter_scene::{MAX_BYTES, Scene, SceneError, utf8};
 /// Maximum size of all lines together, unpacked, bytes: a small compressed file can hold any number
 /// of them.
 pub const MAX_UNPACKED: u64 = 1_000_000_000;
+/// Maximum number of scenes.
+pub const MAX_SCENES: usize = 100_000;
+/// Maximum number of blocks of all scenes together: about 400 MB of memory.
+pub const MAX_ALL_BLOCKS: usize = 2_000_000;
 
 /// Scene with its exact answer.
 #[derive(Debug)]
@@ -61,6 +65,16 @@ pub enum LabelledError {
         /// Name of the input.
         name: String,
     },
+    /// Input with too many scenes or blocks.
+    #[error(
+        "{name}, line {line}: more than {MAX_SCENES} scenes or {MAX_ALL_BLOCKS} blocks in all, the most that is read: divide the file"
+    )]
+    TooMany {
+        /// Name of the input.
+        name: String,
+        /// Line of the first scene too many, from 1.
+        line: usize,
+    },
     /// Input without a scene.
     #[error("{name}: no scenes, expected one JSON object a line")]
     Empty {
@@ -91,7 +105,7 @@ pub fn read(reader: impl Read + 'static, name: &str) -> Result<Vec<Labelled>, La
     let name = || name.to_owned();
     let text = utf8(reader).map_err(|source| LabelledError::Read { name: name(), source })?;
     let mut lines = BufReader::new(text.take(MAX_UNPACKED + 1));
-    let (mut scenes, mut total) = (Vec::new(), 0);
+    let (mut scenes, mut total, mut blocks) = (Vec::new(), 0, 0);
     for line in 1.. {
         let at = |source| LabelledError::Line { name: name(), line, source };
         let Some(bytes) = next_line(&mut lines).map_err(at)? else { break };
@@ -101,7 +115,12 @@ pub fn read(reader: impl Read + 'static, name: &str) -> Result<Vec<Labelled>, La
         }
         let text = std::str::from_utf8(&bytes).map_err(|e| at(SceneError::NotUtf8(e.valid_up_to()).into()))?;
         if !text.trim().is_empty() {
-            scenes.push(parse(text).map_err(|error| at(in_line(error, line)))?);
+            let labelled = parse(text).map_err(|error| at(in_line(error, line)))?;
+            blocks += labelled.scene.blocks.len();
+            if scenes.len() == MAX_SCENES || blocks > MAX_ALL_BLOCKS {
+                return Err(LabelledError::TooMany { name: name(), line });
+            }
+            scenes.push(labelled);
         }
     }
     if scenes.is_empty() { Err(LabelledError::Empty { name: name() }) } else { Ok(scenes) }

@@ -9,7 +9,7 @@ use teeter_study::Timeline;
 use super::recorder::Recorder;
 use super::report::Report;
 use crate::error::Error;
-use crate::output::Output;
+use crate::output::{self, Output};
 use crate::trace::Trace;
 use crate::warnings::Warnings;
 
@@ -73,7 +73,7 @@ impl<'a> Simulation<'a> {
                 let remedy = "`teeter run --settle` reads it and pushes blocks apart";
                 self.warnings.add(&format!("the state at the end is not a valid scene: {error}; {remedy}"));
             }
-            out.line(&end.to_json())?;
+            out.line(&output::to_json(&end))?;
             out.finish()?;
         }
         Ok(self.recorder.report(self.scene, &self.world, self.cpu_s, self.warnings))
