@@ -5,13 +5,15 @@ use glam::{DQuat, DVec3};
 
 use crate::body::{Bodies, FLOOR, Shapes, point_speed};
 use crate::collision::manifold::{Manifold, SeparatingAxis};
-use crate::constants::MAX_SPEED;
 
 /// Maximum deviation from length 1, and from a right angle, that rounding may have caused.
 const ROUNDING: f64 = 1e-6;
+/// Maximum speed of a body and of its points about the centre, m/s: above that at which a body is
+/// frozen, since a sync may turn a spin to an axis of less inertia.
+const MAX_STORED_SPEED: f64 = 1e8;
 
-/// Returns true if the bodies can be those of `shapes`: unit orientations, speeds within the range
-/// of the method, and nothing that moves although it is asleep or held.
+/// Returns true if the bodies can be those of `shapes`: unit orientations, possible speeds, and
+/// nothing that moves although it is asleep or held.
 pub fn are_bodies(bodies: &Bodies, shapes: &Shapes) -> bool {
     let poses = bodies.detection_pose.iter().chain(&bodies.rest_pose).map(|(_, q)| q);
     let not_negative = [&bodies.acceleration, &bodies.margin, &bodies.rest_time];
@@ -21,8 +23,8 @@ pub fn are_bodies(bodies: &Bodies, shapes: &Shapes) -> bool {
             let spin = bodies.orientation[i].conjugate() * bodies.spin[i];
             let still = bodies.velocity[i] == DVec3::ZERO && bodies.spin[i] == DVec3::ZERO;
             (bodies.is_active(i) || still)
-                && bodies.velocity[i].length() <= MAX_SPEED
-                && point_speed(shapes.half[i], spin) <= MAX_SPEED
+                && bodies.velocity[i].length() <= MAX_STORED_SPEED
+                && point_speed(shapes.half[i], spin) <= MAX_STORED_SPEED
         })
 }
 

@@ -17,6 +17,12 @@ use crate::kernel::body_model::BodyDelta;
 use crate::lattice::affine::PARTICLES;
 use crate::lattice::particles::Particles;
 
+/// Energy in the springs of a contact over that of its compression at the last sync, an upper
+/// bound: tangential springs hold up to mu² / 0.8 of it, which is 5, and the Maxwell element adds
+/// to the compression.
+const CONTACT_BOUND: f64 = 8.0;
+/// Speed of a body's points below which its rotation counts as that of a ring, m/s.
+const SLOW: f64 = 1.0;
 /// Upper bound of the strain energy of a block over stiffness times the sum of the squared
 /// displacements of its particles: 7 springs end at each particle, each with at most
 /// k/2 (2 u² + 2 v²), and the springs stiffen as they stretch.
@@ -30,7 +36,7 @@ pub fn entered(cluster: &Cluster, derived: &Derived, gravity: DVec3, input: &Clu
     let mut energy = contact_energy(cluster, derived) + strain_energy(cluster, derived);
     for i in (0..bodies.len()).filter(|&i| !bodies.is_immovable(i)) {
         let speed = bodies.velocity[i].length() + fall;
-        energy += 0.5 * shapes.mass[i] * speed * speed + spin_energy(shapes, bodies, i, bodies.spin[i]);
+        energy += 0.5 * shapes.mass[i] * speed * speed + max_spin_energy(shapes, bodies, i);
     }
     for i in input.bodies() {
         energy += work(shapes, bodies, i, fall + speed_gain(input, shapes, i, derived.frame));
@@ -58,6 +64,16 @@ pub fn is_accounted(shapes: &Shapes, bodies: &Bodies, i: usize, delta: &BodyDelt
 fn spin_energy(shapes: &Shapes, bodies: &Bodies, i: usize, spin: DVec3) -> f64 {
     let spin = bodies.orientation[i].conjugate() * spin;
     0.5 * (spin * spin).dot(shapes.inertia[i])
+}
+
+/// Upper bound of the energy of the rotation of body `i`, J; cheap for a slow one.
+fn max_spin_energy(shapes: &Shapes, bodies: &Bodies, i: usize) -> f64 {
+    let speed_squared = bodies.spin[i].length_squared() * shapes.radius[i] * shapes.radius[i];
+    if speed_squared < SLOW * SLOW {
+        0.5 * shapes.mass[i] * speed_squared
+    } else {
+        spin_energy(shapes, bodies, i, bodies.spin[i])
+    }
 }
 
 /// Upper bound of the energy that body `i` gains when its points gain `speed` (m/s), J.
@@ -91,13 +107,12 @@ fn contact_energy(cluster: &Cluster, derived: &Derived) -> f64 {
     for manifold in &cluster.contacts.manifolds {
         let mut squares = 0.0;
         for point in &manifold.points {
-            let [x, y, turned] = point.tangential;
-            let depth = (-point.gap).max(0.0) + point.maxwell.abs();
-            squares += point.weight * (depth * depth + x * x + y * y + turned * turned);
+            let depth = (-point.gap).max(0.0);
+            squares += point.weight * depth * depth;
         }
         sum += squares * manifold.area_ratio;
     }
-    0.5 * derived.stiffness * sum
+    0.5 * CONTACT_BOUND * derived.stiffness * sum
 }
 
 /// Upper bound of the energy in the springs of the blocks, J.
@@ -105,4 +120,56 @@ fn strain_energy(cluster: &Cluster, derived: &Derived) -> f64 {
     let squares = |p: &Particles| p.displacement.iter().map(|u| u.length_squared()).sum::<f64>();
     let stiffness = derived.springs.map_or(0.0, |springs| springs.stiffness);
     STRAIN_BOUND * stiffness * cluster.particles.iter().map(squares).sum::<f64>()
+}
+
+#[cfg(test)]
+mod tests {
+    use teeter_scene::{Scene, named};
+
+    use super::*;
+    use crate::input::{AppliedForce, Input};
+    use crate::params::Params;
+    use crate::world::World;
+
+    /// Returns true if body 0 of a scene may have a velocity and a spin at the end of a frame.
+    fn may_have(scene: &Scene, input: &Input, velocity: DVec3, spin: DVec3) -> bool {
+        let world = World::new(scene, Params::default()).unwrap();
+        let cluster = &world.clusters.list[0];
+        let locations = (1, world.clusters.locations.as_slice());
+        let input = ClusterInput::split(input, None, &[], locations).remove(0);
+        let entered = entered(cluster, &world.derived, world.gravity, &input);
+        let (displacement, rotation) = (DVec3::ZERO, DVec3::ZERO);
+        let delta = BodyDelta { displacement, rotation, velocity, spin, particles: None };
+        is_accounted(&cluster.shapes, &cluster.bodies, 0, &delta, entered)
+    }
+
+    #[test]
+    fn energy_that_nobody_put_in_is_found() {
+        let scene = named("block").unwrap();
+        let idle = Input::default();
+        // A block at rest explodes, or its numbers are none.
+        assert!(!may_have(&scene, &idle, DVec3::X * 150.0, DVec3::ZERO));
+        assert!(!may_have(&scene, &idle, DVec3::ZERO, DVec3::Z * 1e4));
+        assert!(!may_have(&scene, &idle, DVec3::X * f64::NAN, DVec3::ZERO));
+        assert!(!may_have(&scene, &idle, DVec3::ZERO, DVec3::Y * f64::INFINITY));
+        // A force that gives 166 m/s in a frame, and one that gives a tenth of it.
+        let push = |force: f64| Input::force(AppliedForce::at_center(crate::BodyId(0), DVec3::X * force));
+        assert!(may_have(&scene, &push(200.0), DVec3::X * 150.0, DVec3::ZERO));
+        assert!(!may_have(&scene, &push(20.0), DVec3::X * 150.0, DVec3::ZERO));
+    }
+
+    #[test]
+    fn a_fast_body_may_keep_its_energy_and_give_it_away() {
+        let mut scene = named("block").unwrap();
+        scene.blocks[0].pos[2] = 1.0;
+        scene.blocks[0].velocity = [0.0, 0.0, 100.0];
+        assert!(may_have(&scene, &Input::default(), DVec3::Z * 100.1, DVec3::ZERO));
+        // The range of the method ends at 10 km/s, whatever the energy.
+        scene.blocks[0].mass = 1e3;
+        let mut light = scene.blocks[0].clone();
+        (light.id, light.mass, light.pos) = (99, 1e-3, [0.0, 0.0, 1.1]);
+        scene.blocks.insert(0, light);
+        assert!(may_have(&scene, &Input::default(), DVec3::Z * 9e3, DVec3::ZERO));
+        assert!(!may_have(&scene, &Input::default(), DVec3::Z * 1.1e4, DVec3::ZERO));
+    }
 }

@@ -28,7 +28,10 @@ pub trait BodyModel<R: Real>: Clone + std::fmt::Debug + Send + Sync {
 
     /// Computes the motion of B relative to A at the contacts of one part of a group, in their
     /// frames.
-    fn relative_motion<L: Lanes<Scalar = R>>(
+    ///
+    /// # Safety
+    /// The group is [within](Group::is_within) the rows of `velocity`, at [`Self::ROWS`] a body.
+    unsafe fn relative_motion<L: Lanes<Scalar = R>>(
         group: &Group<R>,
         part: usize,
         velocity: &[Row<R>],
@@ -37,7 +40,10 @@ pub trait BodyModel<R: Real>: Clone + std::fmt::Debug + Send + Sync {
 
     /// Adds the wrench of the contacts to the forces on B and subtracts it from those on A. The
     /// wrench serves as scratch space.
-    fn apply_wrench<L: Lanes<Scalar = R>>(
+    ///
+    /// # Safety
+    /// The group is [within](Group::is_within) the rows of `force`, at [`Self::ROWS`] a body.
+    unsafe fn apply_wrench<L: Lanes<Scalar = R>>(
         group: &Group<R>,
         part: usize,
         wrench: &mut <Self::Motion<L> as RelativeMotion<L>>::Wrench,

@@ -73,8 +73,11 @@ impl<L: Lanes, M: RelativeMotion<L>> GroupPart<L, M> {
 /// Each stage runs over all groups before the next one begins: its loop is short, and an
 /// out-of-order processor overlaps consecutive contacts. Iterators are passed to `zip` by
 /// reference, or it would walk both by a common index and multiply that in each iteration.
+///
+/// # Safety
+/// The groups are [within](Group::is_within) the rows of `velocity` and of `force`.
 #[inline(always)]
-pub fn apply_contacts<L: Lanes, B: BodyModel<L::Scalar>>(
+pub unsafe fn apply_contacts<L: Lanes, B: BodyModel<L::Scalar>>(
     groups: &mut [Group<L::Scalar>],
     parts: &mut [GroupPart<L, B::Motion<L>>],
     law: &ContactLaw<L::Scalar>,
@@ -84,7 +87,8 @@ pub fn apply_contacts<L: Lanes, B: BodyModel<L::Scalar>>(
     for (group, parts) in groups.iter().zip(&mut parts.chunks_exact_mut(LANES / L::WIDTH)) {
         for (i, part) in parts.iter_mut().enumerate() {
             if LANES == L::WIDTH || part.count > 0 {
-                B::relative_motion::<L>(group, i, velocity, &mut part.motion);
+                // SAFETY: as for this function.
+                unsafe { B::relative_motion::<L>(group, i, velocity, &mut part.motion) };
             }
         }
     }
@@ -96,7 +100,8 @@ pub fn apply_contacts<L: Lanes, B: BodyModel<L::Scalar>>(
     for (group, parts) in groups.iter().zip(&mut parts.chunks_exact_mut(LANES / L::WIDTH)) {
         for (i, part) in parts.iter_mut().enumerate() {
             if LANES == L::WIDTH || part.count > 0 {
-                B::apply_wrench::<L>(group, i, &mut part.wrench, force);
+                // SAFETY: as for this function.
+                unsafe { B::apply_wrench::<L>(group, i, &mut part.wrench, force) };
             }
         }
     }

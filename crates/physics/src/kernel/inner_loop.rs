@@ -119,12 +119,14 @@ impl<R: Real, B: BodyModel<R>> Kernel<R, B> {
         actuators: &mut Actuators,
     ) -> usize {
         self.force.copy_from_slice(&self.load);
+        self.assert_groups_within(&self.velocity);
         let mut parts: Vec<GroupPart<L, B::Motion<L>>> = self.groups.iter().flat_map(GroupPart::of).collect();
         for done in 0..substeps {
             let check = done % BUDGET_CHECK_INTERVAL == BUDGET_CHECK_INTERVAL - 1;
             let chunks = self.groups.chunks_mut(STAGE_LANES / LANES);
             for (groups, parts) in chunks.zip(parts.chunks_mut(STAGE_LANES / L::WIDTH)) {
-                apply_contacts::<L, B>(groups, parts, law, &self.velocity, &mut self.force);
+                // SAFETY: all groups have been tested, and nothing here changes their bodies.
+                unsafe { apply_contacts::<L, B>(groups, parts, law, &self.velocity, &mut self.force) };
             }
             self.apply_actuators(actuators);
             let mut exceeded = false;
@@ -142,6 +144,15 @@ impl<R: Real, B: BodyModel<R>> Kernel<R, B> {
             }
         }
         substeps
+    }
+
+    /// Asserts that all groups are within `rows`, of which `force` has as many as `velocity`.
+    ///
+    /// # Panics
+    /// When a group names a row that is not there: a fault of the packing.
+    pub fn assert_groups_within(&self, rows: &[Row<R>]) {
+        let is_within = |group: &Group<R>| group.is_within(rows.len(), B::ROWS);
+        assert!(self.force.len() == self.velocity.len() && self.groups.iter().all(is_within));
     }
 
     /// Adds the forces of hand and drives.

@@ -128,20 +128,23 @@ impl<R: Real> BodyModel<R> for Lattice<R> {
     }
 
     #[inline(always)]
-    fn relative_motion<L: Lanes<Scalar = R>>(
+    unsafe fn relative_motion<L: Lanes<Scalar = R>>(
         group: &Group<R>,
         part: usize,
         velocity: &[Row<R>],
         motion: &mut AffineMotion<L>,
     ) {
         let first = L::WIDTH * part;
+        // SAFETY: as for this function.
+        let of = |offset| L::Row::read(unsafe { row(velocity, offset) });
         let d = L::columns(|l| {
-            L::Row::read(row(velocity, group.b[first + l])) - L::Row::read(row(velocity, group.a[first + l]))
+            let [a, b] = group.bodies(first + l);
+            of(b) - of(a)
         });
         let next = ROW_LEN as u32;
         let e = L::columns(|l| {
-            L::Row::read(row(velocity, group.b[first + l] + next))
-                - L::Row::read(row(velocity, group.a[first + l] + next))
+            let [a, b] = group.bodies(first + l);
+            of(b + next) - of(a + next)
         });
         let gradient = [[d[4], d[5], d[6]], [e[0], e[1], e[2]], [e[4], e[5], e[6]]];
         for (to, tangent) in motion.gradient.iter_mut().zip(&group.frame[1..]) {
@@ -152,7 +155,7 @@ impl<R: Real> BodyModel<R> for Lattice<R> {
     }
 
     #[inline(always)]
-    fn apply_wrench<L: Lanes<Scalar = R>>(
+    unsafe fn apply_wrench<L: Lanes<Scalar = R>>(
         group: &Group<R>,
         part: usize,
         wrench: &mut AffineWrench<L>,
@@ -165,11 +168,13 @@ impl<R: Real> BodyModel<R> for Lattice<R> {
         let zero = L::zero();
         let x = out_of_frame(&m, &[arm[0], frame[1][0], frame[2][0]]);
         let rows = L::rows([f[0], f[1], f[2], zero, x[0], x[1], x[2], zero]);
-        add_rows::<L>(group, first, 0, rows, force);
+        // SAFETY: as for this function.
+        unsafe { add_rows::<L>(group, first, 0, rows, force) };
         let y = out_of_frame(&m, &[arm[1], frame[1][1], frame[2][1]]);
         let z = out_of_frame(&m, &[arm[2], frame[1][2], frame[2][2]]);
         let rows = L::rows([y[0], y[1], y[2], zero, z[0], z[1], z[2], zero]);
-        add_rows::<L>(group, first, ROW_LEN as u32, rows, force);
+        // SAFETY: as for this function.
+        unsafe { add_rows::<L>(group, first, ROW_LEN as u32, rows, force) };
     }
 
     /// Semi-implicit Euler, as for rigid bodies: displacements, spring forces there, then
@@ -464,12 +469,24 @@ fn set_rows<R: Real>(to: &mut [Row<R>], x: DVec3, m: &DMat3) {
 
 /// Adds rows to those of B and subtracts them from those of A, `next` scalars behind the first of
 /// each.
+///
+/// # Safety
+/// As for [`BodyModel::apply_wrench`], and `next` is the length of a row or zero.
 #[inline(always)]
-fn add_rows<L: Lanes>(group: &Group<L::Scalar>, first: usize, next: u32, rows: L::Rows, force: &mut [Row<L::Scalar>]) {
+unsafe fn add_rows<L: Lanes>(
+    group: &Group<L::Scalar>,
+    first: usize,
+    next: u32,
+    rows: L::Rows,
+    force: &mut [Row<L::Scalar>],
+) {
     for (l, on_b) in rows.into_iter().enumerate() {
-        let a = row_mut(force, group.a[first + l] + next);
+        let [a, b] = group.bodies(first + l);
+        // SAFETY: as for this function; a body has two rows.
+        let a = unsafe { row_mut(force, a + next) };
         (L::Row::read(a) - on_b).write(a);
-        let b = row_mut(force, group.b[first + l] + next);
+        // SAFETY: as for this function; a body has two rows.
+        let b = unsafe { row_mut(force, b + next) };
         (L::Row::read(b) + on_b).write(b);
     }
 }

@@ -32,9 +32,11 @@ pub struct PointLanes<R> {
 pub struct Group<R> {
     /// Points of each contact.
     pub counts: [u8; LANES],
-    /// Offsets of the rows of body A and body B, in scalars.
-    pub a: [u32; LANES],
-    pub b: [u32; LANES],
+    /// Offsets of the rows of body A and body B, in scalars: those of rows up to the floor's.
+    a: [u32; LANES],
+    b: [u32; LANES],
+    /// Offset of the rows of the floor, in scalars.
+    floor: u32,
     /// Normal and tangents in the world.
     pub frame: [[LaneArray<R>; 3]; 3],
     /// Centroid, from the cluster's reference point, m.
@@ -51,12 +53,17 @@ pub struct Group<R> {
 
 impl<R: Real> Group<R> {
     /// Group of open contacts of the floor with itself; `floor` is the offset of the floor's rows.
+    ///
+    /// # Panics
+    /// When that is not the offset of a row.
     pub fn new(floor: u32) -> Self {
+        assert!((floor as usize).is_multiple_of(ROW_LEN));
         let open = PointLanes { gap: LaneArray([R::from_f64(1.0); LANES]), ..PointLanes::default() };
         Self {
             counts: [0; LANES],
             a: [floor; LANES],
             b: [floor; LANES],
+            floor,
             frame: Default::default(),
             centroid: Default::default(),
             damping_time: LaneArray::default(),
@@ -64,6 +71,27 @@ impl<R: Real> Group<R> {
             mu_excess: LaneArray::default(),
             points: [open; SLOTS],
         }
+    }
+
+    /// Returns true if the rows of all its bodies, `per_body` for each, are among `count` rows.
+    pub fn is_within(&self, count: usize, per_body: usize) -> bool {
+        self.floor as usize / ROW_LEN + per_body <= count
+    }
+
+    /// Sets the bodies of lane `l` by the offsets of their rows, in scalars.
+    ///
+    /// # Panics
+    /// When one is not the offset of a row up to the floor's.
+    pub fn set_bodies(&mut self, l: usize, [a, b]: [u32; 2]) {
+        let is_row = |offset: u32| offset <= self.floor && (offset as usize).is_multiple_of(ROW_LEN);
+        assert!(is_row(a) && is_row(b));
+        (self.a[l], self.b[l]) = (a, b);
+    }
+
+    /// Offsets of the rows of body A and body B of lane `l`, in scalars.
+    #[inline(always)]
+    pub fn bodies(&self, l: usize) -> [u32; 2] {
+        [self.a[l], self.b[l]]
     }
 
     /// Loads normal and tangents of one part.
@@ -87,8 +115,8 @@ impl<R: Real> Group<R> {
     }
 
     /// Resets lane `l` to an open contact of the floor with itself.
-    pub fn clear_lane(&mut self, l: usize, floor: u32) {
-        (self.a[l], self.b[l], self.counts[l]) = (floor, floor, 0);
+    pub fn clear_lane(&mut self, l: usize) {
+        (self.a[l], self.b[l], self.counts[l]) = (self.floor, self.floor, 0);
         for axis in self.frame.iter_mut().flatten().chain(&mut self.centroid).chain([
             &mut self.damping_time,
             &mut self.mu_kinetic,
@@ -134,17 +162,23 @@ impl<R: Real> Row<R> {
 
 /// Row at an offset in scalars, without a bounds check. The unit is a scalar because x86 scales an
 /// index by the size of a scalar in the load itself, but not by that of a row.
+///
+/// # Safety
+/// The offset is a multiple of [`ROW_LEN`], and below the number of scalars in `rows`:
+/// [`Group::is_within`] tests that for all of a group.
 #[inline(always)]
-pub fn row<R>(rows: &[Row<R>], offset: u32) -> &[R; ROW_LEN] {
+pub unsafe fn row<R>(rows: &[Row<R>], offset: u32) -> &[R; ROW_LEN] {
     debug_assert!((offset as usize).is_multiple_of(ROW_LEN) && (offset as usize) < ROW_LEN * rows.len());
-    // SAFETY: offsets come from groups alone. `Packing::pack` fills these with the offsets of rows
-    // that `Kernel::resize` has allocated for each body and for the floor.
+    // SAFETY: the caller has tested the offset, and a row is `ROW_LEN` scalars and nothing else.
     unsafe { &*rows.as_ptr().cast::<R>().add(offset as usize).cast() }
 }
 
 /// Mutable row at an offset in scalars, without a bounds check.
+///
+/// # Safety
+/// As for [`row`].
 #[inline(always)]
-pub fn row_mut<R>(rows: &mut [Row<R>], offset: u32) -> &mut [R; ROW_LEN] {
+pub unsafe fn row_mut<R>(rows: &mut [Row<R>], offset: u32) -> &mut [R; ROW_LEN] {
     debug_assert!((offset as usize).is_multiple_of(ROW_LEN) && (offset as usize) < ROW_LEN * rows.len());
     // SAFETY: as for `row`.
     unsafe { &mut *rows.as_mut_ptr().cast::<R>().add(offset as usize).cast() }

@@ -111,7 +111,6 @@ impl Packing {
         synced: &SyncSet,
         refine: Option<&TangentialRefine<R>>,
     ) {
-        let floor = kernel.floor_offset();
         for (index, lane) in self.lanes.iter_mut().enumerate() {
             let Some(entry) = lane else { continue };
             if !synced.touches(entry.a, entry.b) {
@@ -140,7 +139,7 @@ impl Packing {
                     self.entry_counts[i as usize] -= 1;
                 }
                 *lane = None;
-                group.clear_lane(l, floor);
+                group.clear_lane(l);
             }
         }
         if synced.all {
@@ -173,7 +172,7 @@ impl Packing {
                 kernel.row_offset(manifold.b),
             );
             let (group, l) = (&mut kernel.groups[index / LANES], index % LANES);
-            (group.a[l], group.b[l]) = (rows_a, rows_b);
+            group.set_bodies(l, [rows_a, rows_b]);
             self.pack_geometry(group, l, manifold, input.bodies);
             let [kinetic, excess] = friction(manifold, input.shapes, input.derived);
             (group.mu_kinetic.0[l], group.mu_excess.0[l]) = (R::from_f64(kinetic), R::from_f64(excess));

@@ -86,36 +86,46 @@ impl<L: Lanes> RelativeMotion<L> for RigidMotion<L> {
 }
 
 /// Adds a scalar at index `k` of the rows to the force on B and subtracts it from that on A.
+///
+/// # Safety
+/// As for [`row`].
 #[inline(always)]
-fn add_component<R: Real>(force: &mut [Row<R>], [a, b]: [u32; 2], k: usize, x: R) {
-    let a = row_mut(force, a);
+unsafe fn add_component<R: Real>(force: &mut [Row<R>], [a, b]: [u32; 2], k: usize, x: R) {
+    // SAFETY: as for this function.
+    let a = unsafe { row_mut(force, a) };
     a[k] = a[k] - x;
-    let b = row_mut(force, b);
+    // SAFETY: as for this function.
+    let b = unsafe { row_mut(force, b) };
     b[k] = b[k] + x;
 }
 
 /// [`BodyModel::apply_wrench`] for registers of one lane: rows need no transposition, and each
 /// component is added as soon as it is computed, which saves registers.
+///
+/// # Safety
+/// As for [`BodyModel::apply_wrench`].
 #[inline(always)]
-fn apply_scalar_wrench<L: Lanes>(
+unsafe fn apply_scalar_wrench<L: Lanes>(
     group: &Group<L::Scalar>,
     lane: usize,
     wrench: &mut RigidWrench<L>,
     force: &mut [Row<L::Scalar>],
 ) {
-    let bodies = [group.a[lane], group.b[lane]];
+    let bodies = group.bodies(lane);
     let RigidWrench { mut f, m } = *wrench;
     let in_frame = f;
     for (k, f) in f.iter_mut().enumerate() {
         let components = group.frame_components::<L>(k, lane);
         *f = dot(&components, &in_frame);
-        add_component(force, bodies, k, f.first());
+        // SAFETY: as for this function.
+        unsafe { add_component(force, bodies, k, f.first()) };
         store_in_order(&mut wrench.m[k], dot(&components, &m));
     }
     for k in 0..3 {
         let (i, j) = ((k + 1) % 3, (k + 2) % 3);
         let moment = load::<L>(&group.centroid[i], lane) * f[j] - load::<L>(&group.centroid[j], lane) * f[i];
-        add_component(force, bodies, 4 + k, (moment + wrench.m[k]).first());
+        // SAFETY: as for this function.
+        unsafe { add_component(force, bodies, 4 + k, (moment + wrench.m[k]).first()) };
     }
 }
 
@@ -164,7 +174,7 @@ impl<R: Real> BodyModel<R> for Rigid<R> {
     }
 
     #[inline(always)]
-    fn relative_motion<L: Lanes<Scalar = R>>(
+    unsafe fn relative_motion<L: Lanes<Scalar = R>>(
         group: &Group<R>,
         part: usize,
         velocity: &[Row<R>],
@@ -173,8 +183,11 @@ impl<R: Real> BodyModel<R> for Rigid<R> {
         let first = L::WIDTH * part;
         // Velocity at the reference point and spin of B relative to A; then at the centroid, in the
         // frame.
+        // SAFETY: as for this function.
+        let of = |offset| L::Row::read(unsafe { row(velocity, offset) });
         let d = L::columns(|l| {
-            L::Row::read(row(velocity, group.b[first + l])) - L::Row::read(row(velocity, group.a[first + l]))
+            let [a, b] = group.bodies(first + l);
+            of(b) - of(a)
         });
         let dw = [d[4], d[5], d[6]];
         let lever = cross(&dw, &load3(&group.centroid, part));
@@ -187,14 +200,15 @@ impl<R: Real> BodyModel<R> for Rigid<R> {
     }
 
     #[inline(always)]
-    fn apply_wrench<L: Lanes<Scalar = R>>(
+    unsafe fn apply_wrench<L: Lanes<Scalar = R>>(
         group: &Group<R>,
         part: usize,
         wrench: &mut RigidWrench<L>,
         force: &mut [Row<R>],
     ) {
         if L::WIDTH == 1 {
-            return apply_scalar_wrench(group, part, wrench, force);
+            // SAFETY: as for this function.
+            return unsafe { apply_scalar_wrench(group, part, wrench, force) };
         }
         let first = L::WIDTH * part;
         // Force and moment about the reference point, equal and opposite for the two bodies.
@@ -209,9 +223,12 @@ impl<R: Real> BodyModel<R> for Rigid<R> {
         let zero = L::zero();
         let rows = L::rows([f[0], f[1], f[2], zero, t[0] + m[0], t[1] + m[1], t[2] + m[2], zero]);
         for (l, on_b) in rows.into_iter().enumerate() {
-            let a = row_mut(force, group.a[first + l]);
+            let [a, b] = group.bodies(first + l);
+            // SAFETY: as for this function.
+            let a = unsafe { row_mut(force, a) };
             (L::Row::read(a) - on_b).write(a);
-            let b = row_mut(force, group.b[first + l]);
+            // SAFETY: as for this function.
+            let b = unsafe { row_mut(force, b) };
             (L::Row::read(b) + on_b).write(b);
         }
     }

@@ -53,10 +53,12 @@ fn tangential<L: Lanes, B: BodyModel<L::Scalar>>(
     group: &Group<L::Scalar>,
     rows: &[Row<L::Scalar>],
 ) -> [[LaneArray<L::Scalar>; 3]; SLOTS] {
+    assert!(group.is_within(rows.len(), B::ROWS));
     let mut displacements = <[[LaneArray<L::Scalar>; 3]; SLOTS]>::default();
     for part in 0..LANES / L::WIDTH {
         let mut motion = B::Motion::<L>::zero();
-        B::relative_motion::<L>(group, part, rows, &mut motion);
+        // SAFETY: the group has been tested.
+        unsafe { B::relative_motion::<L>(group, part, rows, &mut motion) };
         for (point, to) in group.points.iter().zip(&mut displacements) {
             let arm = [load::<L>(&point.arm[0], part), load::<L>(&point.arm[1], part)];
             let friction_arm = load3::<L>(&point.friction_arm, part);
