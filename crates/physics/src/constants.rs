@@ -168,6 +168,8 @@ pub const MAX_GRAVITY: f64 = 100.0;
 /// of a corner.
 pub const MAX_ANCHOR: f64 = 2.0;
 
+/// Maximum number of pairs of bodies of which the bounds overlap at the start: about 300 MB.
+pub const MAX_PAIRS: usize = 10_000_000;
 /// Smallest sweep of a body in a frame, m: free fall from rest for 1/60 s (1.4 mm), and the largest
 /// margin.
 pub const MIN_SWEEP: f64 = 3e-3;

@@ -9,8 +9,8 @@ use crate::body::{Bodies, FLOOR, Shapes, point_speed};
 use crate::body_id::BodyId;
 use crate::cluster::partition::Clusters;
 use crate::cluster::{Cluster, rest};
-use crate::collision::broad_phase::Aabb;
-use crate::constants::{MAX_INPUT_SPEED, MIN_SWEEP};
+use crate::collision::broad_phase::{Aabb, exceeds_pairs};
+use crate::constants::{MAX_INPUT_SPEED, MAX_PAIRS, MIN_SWEEP};
 use crate::derived::{Derived, Masses};
 use crate::input::AppliedForce;
 use crate::kernel::any_kernel::AnyKernel;
@@ -42,6 +42,15 @@ pub enum BuildError {
         value: f64,
         /// The range expected.
         expected: &'static str,
+    },
+    /// More blocks are near each other than a world can hold.
+    #[error(
+        "the bounding boxes of more than {limit} pairs of blocks overlap: long blocks at an angle \
+         are too dense, use fewer or shorter ones, or turn them along x and y"
+    )]
+    Crowded {
+        /// Maximum number of pairs.
+        limit: usize,
     },
     /// The scene cannot be simulated.
     #[error(transparent)]
@@ -93,6 +102,11 @@ impl World {
         check(&params)?;
         scene.validate()?;
         let mut shapes = Shapes::new(scene);
+        let bodies = Bodies::new(scene);
+        let bounds: Vec<Aabb> = (0..bodies.len()).map(|i| Aabb::new(&shapes, &bodies, i, MIN_SWEEP)).collect();
+        if exceeds_pairs(&bounds, MAX_PAIRS) {
+            return Err(BuildError::Crowded { limit: MAX_PAIRS });
+        }
         let fixed: Vec<bool> = scene.blocks.iter().map(|block| block.fixed).collect();
         let derived = Derived::new(scene, &params, Masses::new(&shapes, &fixed));
         shapes.spring = derived.contact_spring();

@@ -4,7 +4,7 @@ mod common;
 
 use common::*;
 use glam::DVec3;
-use teeter_physics::{BodyId, Drive, Input, Params, Twist, World};
+use teeter_physics::{BodyId, BuildError, Drive, Input, Params, Twist, World};
 use teeter_scene::{Block, Scene, TowerOptions, tower};
 
 /// A tower alone, and together with another one `apart` (m) from it along x.
@@ -108,4 +108,22 @@ fn a_sleeping_tower_beside_a_falling_one_sleeps_on() {
         assert!((first..world.len() as u32).all(|i| world.is_asleep(BodyId(i))));
     }
     assert!(!world.is_asleep(BodyId(3)));
+}
+
+/// Long blocks side by side at an angle: the bounds of all of them overlap, which no memory holds.
+#[test]
+fn more_neighbours_than_memory_holds_are_refused() {
+    let rods = |count: u32| {
+        let mut scene = one();
+        let rod = |i: u32| {
+            let d = 0.0006 * f64::from(i);
+            let pos = [-d * 0.5f64.sqrt(), d * 0.5f64.sqrt(), 0.00025];
+            Block { yaw: std::f64::consts::FRAC_PI_4, ..Block::new(i, [10.0, 0.0005, 0.0005], 0.1, pos) }
+        };
+        scene.blocks = (0..count).map(rod).collect();
+        scene
+    };
+    let error = World::new(&rods(20_000), Params::default()).unwrap_err();
+    assert_eq!(error, BuildError::Crowded { limit: 10_000_000 });
+    assert!(World::new(&rods(20), Params::default()).is_ok());
 }

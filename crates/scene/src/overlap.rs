@@ -1,5 +1,6 @@
 //! Overlap of blocks, in any orientation.
 
+mod intervals;
 mod prism;
 mod rounded_box;
 
@@ -152,18 +153,13 @@ fn sweep(
     mut visit: impl FnMut(&[Solid], usize, usize) -> ControlFlow<()>,
 ) -> ControlFlow<()> {
     let solids: Vec<Solid> = scene.blocks.iter().map(|b| Solid::new(b, scene.edge_radius)).collect();
-    // Along the axis of the largest extent few intervals overlap, in a column and in a field.
-    let spread = |k: usize| {
-        let max = solids.iter().map(|p| p.max[k]).fold(f64::NEG_INFINITY, f64::max);
-        max - solids.iter().map(|p| p.min[k]).fold(f64::INFINITY, f64::min)
-    };
-    let along = (0..3).max_by(|&a, &b| spread(a).total_cmp(&spread(b))).unwrap_or(0);
+    let intervals = intervals::sparsest(&scene.blocks);
     let mut order: Vec<usize> = (0..solids.len()).collect();
-    order.sort_by(|&a, &b| solids[a].min[along].total_cmp(&solids[b].min[along]).then(a.cmp(&b)));
+    order.sort_by(|&a, &b| intervals[a].min.total_cmp(&intervals[b].min).then(a.cmp(&b)));
     for (rank, &i) in order.iter().enumerate() {
         for &j in &order[rank + 1..] {
             let (a, b) = (&solids[i], &solids[j]);
-            if b.min[along] > a.max[along] - tolerance {
+            if intervals[j].min > intervals[i].max - tolerance {
                 break;
             }
             let is_near = (0..3).all(|k| a.max[k].min(b.max[k]) - a.min[k].max(b.min[k]) > tolerance);

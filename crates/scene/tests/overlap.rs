@@ -261,3 +261,21 @@ fn the_number_of_pairs_is_limited() {
     let blocks = (0..2000).map(|id| Block { id, ..block.clone() }).collect();
     assert_eq!(overlap::pairs(&scene_of(blocks), 1e-6).len(), overlap::MAX_PAIRS);
 }
+
+/// Side by side at an angle, so that all bounds overlap: two hundred million pairs, of which the
+/// sweep visits those beside each other.
+#[test]
+fn twenty_thousand_rods_at_an_angle_are_tested_along_a_diagonal() {
+    let mut scene = named("block").unwrap();
+    let rod = |i: u32| {
+        let d = 0.0006 * f64::from(i);
+        let yaw = std::f64::consts::FRAC_PI_4;
+        Block { yaw, ..Block::new(i, [10.0, 0.0005, 0.0005], 0.1, [-d * 0.5f64.sqrt(), d * 0.5f64.sqrt(), 0.00025]) }
+    };
+    scene.blocks = (0..20_000).map(rod).collect();
+    assert_eq!(scene.validate(), Ok(()));
+    // One that is moved onto its neighbour is found.
+    scene.blocks[7000].pos = scene.blocks[7001].pos;
+    let found = overlap::first_pair(&scene, 1e-6).unwrap();
+    assert_eq!((found.first, found.second), (7000, 7001));
+}

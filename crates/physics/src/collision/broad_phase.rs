@@ -1,5 +1,7 @@
 //! Broad phase: axis-aligned bounding boxes, and the pairs of bodies of which they overlap.
 
+use std::ops::ControlFlow;
+
 use glam::DVec3;
 use serde::{Deserialize, Serialize};
 
@@ -53,6 +55,29 @@ impl Aabb {
 /// Pairs of boxes that overlap, lower index first, by sweep and prune. The sweep runs along the
 /// axis of the largest extent: for a column as for a field, few boxes then share an interval.
 pub fn overlapping_pairs(bounds: &[Aabb]) -> Vec<(u32, u32)> {
+    let mut pairs = Vec::new();
+    let _ = sweep(bounds, |pair| {
+        pairs.push(pair);
+        ControlFlow::Continue(())
+    });
+    pairs
+}
+
+/// Returns true if more than `limit` pairs of boxes overlap.
+pub fn exceeds_pairs(bounds: &[Aabb], limit: usize) -> bool {
+    let mut left = limit;
+    let swept = sweep(bounds, |_| match left.checked_sub(1) {
+        Some(fewer) => {
+            left = fewer;
+            ControlFlow::Continue(())
+        }
+        None => ControlFlow::Break(()),
+    });
+    swept.is_break()
+}
+
+/// Calls `visit` with each pair of boxes that overlap, lower index first.
+fn sweep(bounds: &[Aabb], mut visit: impl FnMut((u32, u32)) -> ControlFlow<()>) -> ControlFlow<()> {
     let all = bounds.iter().fold(Aabb::default(), |all, bound| all.union(bound));
     let extent = all.max - all.min;
     let axis = if extent.z >= extent.x.max(extent.y) { 2 } else { usize::from(extent.y > extent.x) };
@@ -60,7 +85,6 @@ pub fn overlapping_pairs(bounds: &[Aabb]) -> Vec<(u32, u32)> {
     order.sort_unstable_by(|&a, &b| {
         bounds[a as usize].min[axis].total_cmp(&bounds[b as usize].min[axis]).then(a.cmp(&b))
     });
-    let mut pairs = Vec::new();
     for (index, &i) in order.iter().enumerate() {
         let bound = &bounds[i as usize];
         for &j in &order[index + 1..] {
@@ -69,11 +93,11 @@ pub fn overlapping_pairs(bounds: &[Aabb]) -> Vec<(u32, u32)> {
                 break;
             }
             if bound.overlaps(other) {
-                pairs.push((i.min(j), i.max(j)));
+                visit((i.min(j), i.max(j)))?;
             }
         }
     }
-    pairs
+    ControlFlow::Continue(())
 }
 
 /// Neighbours of each body, as one list with an offset for each body.
