@@ -1,5 +1,5 @@
 # `make play` and `make test` set up what is missing. Anything longer than a line is in tools/.
-.PHONY: help play page test golden check format bench counts figures peers clean setup
+.PHONY: help play page test golden fuzz check format bench counts figures peers clean setup
 
 help: ## List the targets
 	@sed -n 's/^\([a-z]*\):.*## /\1\t/p' $(MAKEFILE_LIST) | column -t -s '	'
@@ -24,6 +24,9 @@ test: page ## Run every test: Rust, examples, WebAssembly under node, the page i
 golden: ## Run the golden runs in every build and mode, and print the matrix
 	tools/setup rust node wasm
 	tools/golden check
+
+fuzz: ## Fuzz every target for an hour; SECONDS=60 for a minute
+	tools/fuzz $(or $(SECONDS),3600)
 
 check: page ## Formatting, lints, words, documents and packages
 	tools/words
