@@ -34,6 +34,9 @@ pub const STRAIN_INERTIA: f64 = 8.0;
 /// Smallest extent of a strained block over its rest extent, along any axis.
 pub const MIN_STRETCH: DVec3 = DVec3::splat(0.05);
 
+/// Most substeps of a frame: at 60 frames a second 6 million a second, which is a tenth of real time
+/// for one block.
+pub const MAX_SUBSTEPS: usize = 100_000;
 /// Longest time between two syncs of a moving body, s; a body at rest is synced once a frame.
 pub const SYNC_TIME: f64 = 1.0 / 240.0;
 /// Rotation of a body since the last sync that requires the next, rad. Gaps are integrated to first
@@ -107,8 +110,8 @@ pub const CORNER_MERGE: f64 = 1e-4;
 
 /// Depth of a contact that is never free of force, over the smallest edge of its blocks.
 pub const MIN_FREE_DEPTH: f64 = 1e-4;
-/// Difference of a gap and its first order between two syncs that exerts no force, over the smallest
-/// edge of the blocks; smaller ones are rounding.
+/// Difference of a gap and its first order between two syncs that exerts no force, over the
+/// smallest edge of the blocks; smaller ones are rounding.
 pub const MIN_SUNK_DEPTH: f64 = 1e-6;
 /// Speed at which a free depth fades over the smallest edge of the blocks, 1/s: slow against an
 /// impact, so that fading does little work.

@@ -48,8 +48,8 @@ impl Energy {
 impl World {
     /// Mechanical energy of the bodies that can move, and of their contacts.
     ///
-    /// The velocities of the inner loop are half a substep behind the gaps. The energy of contacts is
-    /// taken at the time of the velocities, or it would seem to change during an impact.
+    /// The velocities of the inner loop are half a substep behind the gaps. The energy of contacts
+    /// is taken at the time of the velocities, or it would seem to change during an impact.
     pub fn energy(&self) -> Energy {
         let springs = self.derived.springs.as_ref();
         self.clusters.list.iter().fold(Energy::default(), |sum, cluster| {

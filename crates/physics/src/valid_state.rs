@@ -57,5 +57,6 @@ fn has_points(manifold: &Manifold) -> bool {
     let valid = |weight: f64, force: f64| (0.0..=1.0 + ROUNDING).contains(&weight) && force >= 0.0;
     manifold.area_ratio > 0.0
         && manifold.mobility >= 0.0
+        && manifold.free_depth >= 0.0
         && manifold.points.iter().all(|p| valid(p.weight, p.normal_force))
 }

@@ -10,7 +10,7 @@ use crate::body_id::BodyId;
 use crate::cluster::partition::Clusters;
 use crate::cluster::{Cluster, rest};
 use crate::collision::broad_phase::{Aabb, exceeds_pairs};
-use crate::constants::{MAX_INPUT_SPEED, MAX_PAIRS, MIN_SWEEP};
+use crate::constants::{MAX_INPUT_SPEED, MAX_PAIRS, MAX_SUBSTEPS, MIN_SWEEP};
 use crate::derived::{Derived, Masses};
 use crate::input::AppliedForce;
 use crate::kernel::any_kernel::AnyKernel;
@@ -51,6 +51,24 @@ pub enum BuildError {
     Crowded {
         /// Maximum number of pairs.
         limit: usize,
+    },
+    /// The lightest block needs more substeps than a frame may have.
+    #[error(
+        "block {id}: `mass` is {mass:.1e} kg, which takes {substeps:.1e} substeps a frame at this stiffness, and \
+         at most {MAX_SUBSTEPS} are run: expected at least {min_mass:.1e} kg, or contacts and springs softer by \
+         a factor of {factor:.1e}"
+    )]
+    Substeps {
+        /// Id of the block.
+        id: u32,
+        /// Its mass, kg.
+        mass: f64,
+        /// Substeps of a frame that it takes.
+        substeps: f64,
+        /// Smallest mass that the substeps allow, kg.
+        min_mass: f64,
+        /// Factor by which the stiffness is too large.
+        factor: f64,
     },
     /// The scene cannot be simulated.
     #[error(transparent)]
@@ -109,6 +127,7 @@ impl World {
         }
         let fixed: Vec<bool> = scene.blocks.iter().map(|block| block.fixed).collect();
         let derived = Derived::new(scene, &params, Masses::new(&shapes, &fixed));
+        check_substeps(scene, &derived)?;
         shapes.spring = derived.contact_spring();
         let mut world = Self {
             scene: scene.clone(),
@@ -324,8 +343,9 @@ impl World {
         let scene = Scene { form, springs, ..self.scene.clone() };
         scene.validate_constants()?;
         let refit = form != self.scene.form || springs.particles != self.scene.springs.particles;
-        self.scene = scene;
-        self.derived = Derived::new(&self.scene, &self.params, self.derived.masses);
+        let derived = Derived::new(&scene, &self.params, self.derived.masses);
+        check_substeps(&scene, &derived)?;
+        (self.scene, self.derived) = (scene, derived);
         for cluster in &mut self.clusters.list {
             let Cluster { shapes, bodies, particles, .. } = cluster;
             shapes.set_form(form, springs.particles);
@@ -463,6 +483,20 @@ fn single_cluster(scene: &Scene, params: &Params, shapes: Shapes) -> Cluster {
     cluster.shapes = shapes;
     cluster.contacts.outgrown = true;
     cluster
+}
+
+/// Checks that a frame has at most [`MAX_SUBSTEPS`], which grow with the root of stiffness over
+/// mass.
+fn check_substeps(scene: &Scene, derived: &Derived) -> Result<(), BuildError> {
+    let moving = scene.blocks.iter().filter(|block| !block.fixed);
+    let Some(lightest) = moving.min_by(|a, b| a.mass.total_cmp(&b.mass)) else { return Ok(()) };
+    if derived.substeps <= MAX_SUBSTEPS {
+        return Ok(());
+    }
+    let (id, mass, substeps) = (lightest.id, lightest.mass, derived.substeps as f64);
+    let excess = substeps / MAX_SUBSTEPS as f64;
+    let factor = excess * excess;
+    Err(BuildError::Substeps { id, mass, substeps, min_mass: factor * mass, factor })
 }
 
 fn check(params: &Params) -> Result<(), BuildError> {

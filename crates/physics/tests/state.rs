@@ -6,7 +6,7 @@ mod common;
 use common::*;
 use glam::DVec3;
 use teeter_physics::{BodyId, BuildError, Drive, Input, Params, Precision, Twist, World};
-use teeter_scene::{Scene, TowerOptions, tower};
+use teeter_scene::{Block, Scene, TowerOptions, tower};
 
 fn small(seed: u64) -> Scene {
     tower(&TowerOptions { rows: 6, seed, ..TowerOptions::default() }).unwrap()
@@ -154,4 +154,18 @@ fn stiffness_is_that_of_the_scene() {
     assert!((deep / shallow - 3.0).abs() < 0.05, "{deep} and {shallow} m");
     assert!((soft.substep() / stiff.substep() - 3.0f64.sqrt()).abs() < 0.1);
     assert_ne!(soft.hash(), stiff.hash());
+}
+
+#[test]
+fn a_scene_that_would_step_for_ever_is_refused_with_the_mass_that_would_do() {
+    let light = |mass: f64| Scene { blocks: vec![Block { mass, ..one().blocks[0].clone() }], ..one() };
+    let error = World::new(&light(1e-12), awake()).unwrap_err();
+    let BuildError::Substeps { min_mass, .. } = error else { panic!("{error}") };
+    assert!(World::new(&light(1.01 * min_mass), awake()).is_ok());
+    let message = error.to_string();
+    assert!(message.starts_with("block 0: `mass` is 1.0e-12 kg"), "{message}");
+    // a fixed block never moves, so its mass is of no account
+    let mut fixed = light(1e-12);
+    fixed.blocks[0].fixed = true;
+    assert!(World::new(&fixed, awake()).is_ok());
 }

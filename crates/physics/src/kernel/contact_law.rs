@@ -218,7 +218,7 @@ fn contact_point<L: Lanes, M: RelativeMotion<L>, const PARTING: bool>(
     }
     let maxwell = L::mask(closed, load::<L>(&p.maxwell, part) * L::splat(law.maxwell_decay) + vn);
     let k = L::mask(closed, load::<L>(&p.stiffness, part));
-    // A point that still closes, as a block rotates, keeps all of its force: it would sink in freely.
+    // A point that still closes, as a block rotates, keeps all of its force, or it would sink in.
     let spring = if PARTING {
         (gap + maxwell) * L::select(zero.less_than(vn), left[0], L::splat_f64(1.0))
     } else {
