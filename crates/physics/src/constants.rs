@@ -34,8 +34,8 @@ pub const STRAIN_INERTIA: f64 = 8.0;
 /// Smallest extent of a strained block over its rest extent, along any axis.
 pub const MIN_STRETCH: DVec3 = DVec3::splat(0.05);
 
-/// Most substeps of a frame: at 60 frames a second 6 million a second, which is a tenth of real time
-/// for one block.
+/// Most substeps of a frame: at 60 frames a second 6 million a second, a tenth of real time for one
+/// block.
 pub const MAX_SUBSTEPS: usize = 100_000;
 /// Longest time between two syncs of a moving body, s; a body at rest is synced once a frame.
 pub const SYNC_TIME: f64 = 1.0 / 240.0;

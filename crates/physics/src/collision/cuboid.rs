@@ -25,8 +25,8 @@ pub struct Cuboid {
     pub spin: DVec3,
     /// Shortest time to the next detection, s.
     pub lookahead: f64,
-    /// Mass over stiffness of the contacts, s²: inverse square of the angular frequency at which the
-    /// body swings on a contact.
+    /// Mass over stiffness of the contacts, s²: inverse square of the angular frequency at which
+    /// the body swings on a contact.
     pub softness: f64,
 }
 
