@@ -183,7 +183,9 @@ impl Simulator for World {
     }
 
     fn check_block_form(&self, form: BlockForm) -> Result<(), String> {
-        let scene = Scene { form: form.form, springs: springs(self, form), ..self.scene().clone() };
+        // Rigid blocks keep a stiffness too, with which they may become lattices again.
+        let lattice = BlockForm { form: Form::Lattice, ..form };
+        let scene = Scene { form: Form::Lattice, springs: springs(self, lattice), ..self.scene().clone() };
         scene.validate_constants().map_err(|error: SceneError| error.to_string())
     }
 

@@ -71,7 +71,8 @@ proptest! {
             prop_assert!(game.blocks().positions().iter().all(|p| p.is_finite()));
         }
         let bytes = game.snapshot();
-        prop_assert!(game.restore(&bytes).is_ok());
+        let restored = game.restore(&bytes);
+        prop_assert!(restored.is_ok(), "{restored:?}");
     }
 
     #[test]
