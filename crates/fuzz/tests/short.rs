@@ -1,31 +1,16 @@
 //! A short run of every target on any compiler: the corpus, and a fixed number of changes of it.
 
 use teeter_fuzz::{TARGETS, Target};
-
-/// Pseudo-random numbers: xorshift64*.
-struct Random(u64);
-
-impl Random {
-    fn next(&mut self) -> u64 {
-        self.0 ^= self.0 >> 12;
-        self.0 ^= self.0 << 25;
-        self.0 ^= self.0 >> 27;
-        self.0.wrapping_mul(0x2545_f491_4f6c_dd1d)
-    }
-
-    fn below(&mut self, n: usize) -> usize {
-        (self.next() % n.max(1) as u64) as usize
-    }
-}
+use teeter_scene::Random;
 
 /// Changes bytes: one, a run, their number, or a part of others.
 fn change(bytes: &mut Vec<u8>, other: &[u8], random: &mut Random) {
     let at = random.below(bytes.len());
     match random.below(6) {
         0 if !bytes.is_empty() => bytes[at] ^= 1 << random.below(8),
-        1 if !bytes.is_empty() => bytes[at] = random.next() as u8,
+        1 if !bytes.is_empty() => bytes[at] = random.bits() as u8,
         2 => bytes.truncate(at),
-        3 => bytes.insert(at, random.next() as u8),
+        3 => bytes.insert(at, random.bits() as u8),
         4 => {
             let end = (at + random.below(24)).min(bytes.len());
             bytes.drain(at..end);
@@ -42,7 +27,7 @@ fn run(name: &str, changes: usize) {
     let target = Target::named(name);
     let corpus = target.corpus();
     corpus.iter().for_each(|bytes| (target.run)(bytes));
-    let mut random = Random(0x9e37_79b9_7f4a_7c15);
+    let mut random = Random::new(0);
     for _ in 0..changes {
         let mut bytes = corpus[random.below(corpus.len())].clone();
         let other = &corpus[random.below(corpus.len())];

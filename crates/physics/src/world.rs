@@ -10,6 +10,7 @@ use crate::body_id::BodyId;
 use crate::cluster::partition::Clusters;
 use crate::cluster::{Cluster, rest};
 use crate::collision::broad_phase::{Aabb, exceeds_pairs};
+use crate::collision::manifold::Manifold;
 use crate::constants::{MAX_INPUT_SPEED, MAX_PAIRS, MAX_SUBSTEPS, MIN_SWEEP};
 use crate::derived::{Derived, Masses};
 use crate::input::AppliedForce;
@@ -409,7 +410,7 @@ impl World {
                 continue;
             }
             let (center, axes) = cluster.bodies.pose(manifold.a);
-            let force: f64 = manifold.points.iter().map(|p| p.normal_force).sum();
+            let force = manifold.normal_force();
             if force <= 0.0 {
                 continue;
             }
@@ -428,8 +429,8 @@ impl World {
 
     /// Deepest penetration, m.
     pub fn penetration(&self) -> f64 {
-        let points = self.clusters.list.iter().flat_map(|c| &c.contacts.manifolds).flat_map(|m| &m.points);
-        points.fold(0.0, |deepest, p| f64::max(deepest, -p.gap))
+        let manifolds = self.clusters.list.iter().flat_map(|c| &c.contacts.manifolds);
+        manifolds.map(Manifold::deepest).fold(0.0, f64::max)
     }
 
     /// Returns the cluster of a body and the body's index there.

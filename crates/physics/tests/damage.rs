@@ -7,23 +7,7 @@ use common::*;
 use glam::DVec3;
 use teeter_physics::envelope::seal;
 use teeter_physics::{AppliedForce, BodyId, Drive, Hand, Input, Params, World};
-use teeter_scene::Form;
-
-/// Pseudo-random numbers: xorshift64*.
-struct Random(u64);
-
-impl Random {
-    fn next(&mut self) -> u64 {
-        self.0 ^= self.0 >> 12;
-        self.0 ^= self.0 << 25;
-        self.0 ^= self.0 >> 27;
-        self.0.wrapping_mul(0x2545_f491_4f6c_dd1d)
-    }
-
-    fn below(&mut self, n: usize) -> usize {
-        (self.next() % n as u64) as usize
-    }
-}
+use teeter_scene::{Form, Random};
 
 /// A world in which all of the state is in use, with a snapshot of it.
 fn world(form: Form) -> (World, Vec<u8>) {
@@ -50,19 +34,19 @@ fn world(form: Form) -> (World, Vec<u8>) {
 /// Changes some bytes: one bit, one byte, a run, or the length.
 fn damage(bytes: &mut Vec<u8>, random: &mut Random) {
     // Nothing may be left.
-    let at = random.below(bytes.len().max(1));
+    let at = random.below(bytes.len());
     if at == bytes.len() {
         return bytes.push(0);
     }
     match random.below(8) {
         0..3 => bytes[at] ^= 1 << random.below(8),
-        3..5 => bytes[at] = random.next() as u8,
+        3..5 => bytes[at] = random.bits() as u8,
         5 => {
             let end = (at + 1 + random.below(16)).min(bytes.len());
-            bytes[at..end].iter_mut().for_each(|byte| *byte = random.next() as u8);
+            bytes[at..end].iter_mut().for_each(|byte| *byte = random.bits() as u8);
         }
         6 => bytes.truncate(at),
-        _ => bytes.insert(at, random.next() as u8),
+        _ => bytes.insert(at, random.bits() as u8),
     }
 }
 
@@ -70,7 +54,7 @@ fn damage(bytes: &mut Vec<u8>, random: &mut Random) {
 fn restore_damaged(form: Form, count: usize, seed: u64) {
     let (mut world, bytes) = world(form);
     let hash = world.hash();
-    let mut random = Random(seed);
+    let mut random = Random::new(seed);
     for _ in 0..count {
         let mut damaged = bytes.clone();
         for _ in 0..=random.below(3) {
@@ -88,7 +72,7 @@ fn restore_forged(form: Form, count: usize, seed: u64) {
     let (mut world, bytes) = world(form);
     let kind_len = b"teeter\x00\x05".len();
     let (kind, content) = (&bytes[..kind_len], &bytes[kind_len + 16..]);
-    let mut random = Random(seed);
+    let mut random = Random::new(seed);
     for _ in 0..count {
         let mut forged = content.to_vec();
         for _ in 0..=random.below(3) {

@@ -32,6 +32,11 @@ impl Random {
         z ^ (z >> 31)
     }
 
+    /// Returns a whole number below `n`, or 0 where `n` is 0.
+    pub fn below(&mut self, n: usize) -> usize {
+        (self.bits() % n.max(1) as u64) as usize
+    }
+
     /// Returns a uniform number from 0 to 1, 1 excluded.
     pub fn uniform(&mut self) -> f64 {
         (self.bits() >> 11) as f64 / (1u64 << 53) as f64

@@ -241,9 +241,8 @@ fn test_pair(
         box_floor(&high_box, bodies.margin[high as usize], last.map(|m| m.axis), to)
     } else {
         let limit = bodies.margin[low as usize] + bodies.margin[high as usize];
-        let axes = |m: &Manifold| if m.a == low { (low_box.axes, 1.0) } else { (high_box.axes, -1.0) };
         let last = last.map(|m| {
-            let (axes, sign) = axes(m);
+            let (axes, sign) = if m.a == low { (low_box.axes, 1.0) } else { (high_box.axes, -1.0) };
             LastAxis { axis: m.axis, normal: axes * m.frame[0] * sign }
         });
         box_box(&low_box, &high_box, limit, last, to)

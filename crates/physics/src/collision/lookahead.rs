@@ -52,7 +52,7 @@ impl Approach {
     pub fn bring_back(&self, a: &Cuboid, b: &Cuboid, to: &mut Manifold) -> bool {
         let (reference, velocity) = if to.a == a.body { (a, self.velocity) } else { (b, -self.velocity) };
         let change = (reference.axes * to.frame[0]).dot(velocity) * self.time;
-        let deepest = to.points.iter().map(|p| -p.gap).fold(0.0, f64::max);
+        let deepest = to.deepest();
         to.points.iter_mut().for_each(|p| p.gap -= change);
         deepest <= self.max_depth
     }

@@ -141,6 +141,11 @@ impl Manifold {
         self.points.iter().map(|p| -p.gap).fold(0.0, f64::max)
     }
 
+    /// Normal force of the springs of all points at the last sync, N.
+    pub fn normal_force(&self) -> f64 {
+        self.points.iter().map(|p| p.normal_force).sum()
+    }
+
     /// Normal in the world, perpendicular to the face of A also where A is strained.
     pub fn normal_in_world(&self, bodies: &Bodies, axes_a: DMat3) -> DVec3 {
         let normal = axes_a * self.frame[0];
@@ -218,7 +223,7 @@ impl Manifold {
     /// The resultant acts at the centre of pressure of the last substep, from which
     /// [`FrictionLevers`] takes the offsets.
     pub fn friction_arms(&self) -> impl Fn(&ContactPoint) -> [f64; 3] {
-        let total: f64 = self.points.iter().map(|p| p.normal_force).sum();
+        let total = self.normal_force();
         let center = |k: usize| {
             if total > 0.0 { self.points.iter().map(|p| p.normal_force * p.arm[k]).sum::<f64>() / total } else { 0.0 }
         };

@@ -74,7 +74,7 @@ fn free_depth(manifold: &mut Manifold, allowed: f64, negligible: f64) {
 /// Lets the free depth of a manifold fade during `time` (s). The work against the force of the
 /// contact is at most that of lifting the lighter body as fast.
 pub fn fade(manifold: &mut Manifold, time: f64, shapes: &Shapes) {
-    let force: f64 = manifold.points.iter().map(|p| p.normal_force).sum();
+    let force = manifold.normal_force();
     let weight = lighter_mass(manifold, shapes) * shapes.spring.gravity;
     let part = if force > weight { weight / force } else { 1.0 };
     let faded = part * FREE_DEPTH_RATE * thickness(manifold, shapes) * time;
