@@ -30,6 +30,34 @@ fn the_parts_asked_for_are_measured_and_met() {
     assert_eq!(sections[2]["data"]["rests"][0]["hash"].as_str().unwrap().len(), 16);
 }
 
+#[test]
+fn results_for_programs_are_one_object() {
+    let args = ["validate", "--quick", "--only", "put-back,tilt", "--json", "--seeds"];
+    let of = |seeds: &str| -> Value {
+        let done = teeter(&[&args[..], &[seeds]].concat());
+        assert_eq!((done.code, done.err.as_str()), (0, ""));
+        serde_json::from_str(&done.out).unwrap()
+    };
+    let results = of("3..5");
+    let figures = results["put-back"]["figures"].as_object().unwrap();
+    for name in ["tries", "over_1mm", "over_5mm", "worst_mm", "not_home"] {
+        assert!(figures[name].is_number(), "{name}");
+    }
+    // two towers, two blocks of each, four distances
+    assert_eq!((&figures["tries"], &results["put-back"]["met"]), (&Value::from(16.0), &Value::from(true)));
+    assert!(results["tilt"]["figures"]["median_error_deg"].as_f64().unwrap() < 0.1);
+    assert_ne!(of("5..7")["put-back"], results["put-back"], "other seeds are other towers");
+}
+
+#[test]
+fn seeds_that_are_no_range_are_refused() {
+    for seeds in ["3", "5..5", "7..3", "1..9999", "a..b", "1..-2"] {
+        let done = teeter(&["validate", "--json", "--seeds", seeds]);
+        assert_eq!((done.code, done.out.as_str(), done.err.lines().count()), (2, "", 1), "{seeds}: {}", done.err);
+    }
+    assert_eq!(teeter(&["validate", "--only", "tilt"]).code, 2, "neither a folder nor JSON is asked for");
+}
+
 /// Three rows of which the middle blocks bear all, with the pulls that Coulomb's law gives: a sheet
 /// that the engine must meet.
 #[test]

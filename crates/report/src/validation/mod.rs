@@ -11,7 +11,7 @@ mod topics;
 use std::path::Path;
 
 use maud::html;
-use serde_json::{Value, json};
+use serde_json::{Map, Value, json};
 use teeter_scene::Form;
 
 pub use data_sheet::{DataSheet, DataSheetError};
@@ -34,12 +34,13 @@ pub enum RealSet {
 }
 
 /// Measures `topics`, all where none is named, and writes `validation.html` and `validation.json`
-/// into a folder. With a real set only that and the topics named are measured.
+/// into a folder where one is given. With a real set only that and the topics named are measured.
 ///
 /// # Errors
 /// When a scene cannot be built, a sheet has no measured forces, or a file cannot be written.
-pub fn run(out: &Path, size: &Size, topics: &[Topic], real: Option<&RealSet>) -> Result<Vec<Section>, Error> {
-    create_folder(out)?;
+pub fn run(out: Option<&Path>, size: &Size, topics: &[Topic], real: Option<&RealSet>) -> Result<Vec<Section>, Error> {
+    out.map(create_folder).transpose()?;
+    let write = |sections: &[Section]| out.map_or(Ok(()), |out| write(out, size, sections));
     let all = topics.is_empty() && real.is_none();
     let mut sections: Vec<Section> = Vec::new();
     match real {
@@ -50,10 +51,17 @@ pub fn run(out: &Path, size: &Size, topics: &[Topic], real: Option<&RealSet>) ->
     for topic in Topic::ALL.into_iter().filter(|topic| all || topics.contains(topic)) {
         sections.push(topic.measure(size)?);
         // After each topic, so that an interrupted run leaves what it has measured.
-        write(out, size, &sections)?;
+        write(&sections)?;
     }
-    write(out, size, &sections)?;
+    write(&sections)?;
     Ok(sections)
+}
+
+/// Returns the results of the topics for programs: of each whether its goals are met, and its
+/// figures as numbers.
+pub fn summary(sections: &[Section]) -> Value {
+    let of = |section: &Section| json!({"met": section.is_met(), "figures": section.numbers_json()});
+    sections.iter().map(|section| (section.name.to_owned(), of(section))).collect::<Map<_, _>>().into()
 }
 
 fn write(out: &Path, size: &Size, sections: &[Section]) -> Result<(), Error> {

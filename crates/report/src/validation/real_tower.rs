@@ -83,9 +83,11 @@ pub fn measure(sheet: &DataSheet) -> Result<Section, Error> {
     let finite = compared.iter().filter(|c| c.pull.is_finite());
     let pairs: Vec<(f64, f64)> = finite.filter_map(|c| Some((c.pull, c.block.forward_n?))).collect();
     let met = percent(&compared, |c| c.agrees(sheet.error));
+    section.number("readings_met_percent", met);
     section.inform("readings met", format!("{met:.0} % of {}", compared.len()));
     section.inform("correlation of the forces", format!("{:.3}", correlation(&pairs)));
     let same = percent(&compared, |c| c.agrees_on_loose(limit));
+    section.number("loose_right_percent", same);
     section.inform("loose and tight as in the real tower", format!("{same:.0} %"));
     section.table(
         &["block", "lies", "pulled N", "forward N", "backward N", "rigid, straight N"],

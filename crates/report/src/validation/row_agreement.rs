@@ -121,6 +121,10 @@ pub fn measure(real: &RealRows, size: &Size) -> Result<Section, Error> {
         format!("{:.1}, {:.1}, {:.1} %", share(&truth), share(&simulated[0]), share(&ruled)),
     );
     let by_engine = Agreement::of(&simulated[0], &truth);
+    for (name, agreement) in [("engine", by_engine), ("rule", by_rule)] {
+        section.number(format!("{name}.blocks"), agreement.blocks);
+        section.number(format!("{name}.rows"), agreement.rows);
+    }
     let mut table = Vec::new();
     let mut data = Vec::new();
     for error in CALIPER_ERRORS {

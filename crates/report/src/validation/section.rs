@@ -2,7 +2,7 @@
 
 use maud::{Markup, html};
 use serde::Serialize;
-use serde_json::{Value, json};
+use serde_json::{Map, Value, json};
 
 use crate::chart::Chart;
 use crate::page::PageSection;
@@ -32,6 +32,8 @@ pub struct Section {
     pub method: String,
     /// Figures.
     pub figures: Vec<Figure>,
+    /// Figures as numbers with a name, for programs; not finite where nothing was measured.
+    pub numbers: Vec<(String, f64)>,
     /// Tables.
     pub tables: Vec<Table>,
     /// Charts.
@@ -56,6 +58,21 @@ impl Section {
         self.figures.push(Figure { what: what.into(), value: value.into(), goal: Some(goal.into()), met: Some(met) });
     }
 
+    /// Adds a figure as a number for programs; its name ends with its unit.
+    pub fn number(&mut self, name: impl Into<String>, value: f64) {
+        self.numbers.push((name.into(), value));
+    }
+
+    /// Returns true if every figure with a goal meets it.
+    pub fn is_met(&self) -> bool {
+        self.figures.iter().all(|figure| figure.met != Some(false))
+    }
+
+    /// Returns the numbers as an object, null where a number is not finite.
+    pub fn numbers_json(&self) -> Value {
+        self.numbers.iter().map(|(name, value)| (name.clone(), json!(value))).collect::<Map<_, _>>().into()
+    }
+
     /// Adds a table.
     pub fn table(&mut self, head: &[&str], rows: Vec<Vec<String>>) {
         self.tables.push(Table::new(head.iter().copied(), rows));
@@ -67,6 +84,7 @@ impl Section {
             "name": self.name,
             "title": self.title,
             "figures": self.figures,
+            "numbers": self.numbers_json(),
             "tables": self.tables,
             "data": self.data,
         })

@@ -80,20 +80,23 @@ pub fn measure(size: &Size) -> Result<Section, Error> {
 }
 
 fn overlap_figures(section: &mut Section, outcomes: &[Collapse]) {
-    let mut none = |what: &str, is_bad: fn(&Collapse) -> bool| {
+    section.number("cases", outcomes.len() as f64);
+    let mut none = |what: &str, name: &str, is_bad: fn(&Collapse) -> bool| {
         let count = outcomes.iter().filter(|outcome| is_bad(outcome)).count();
         let value = format!("{count} of {}", outcomes.len());
         section.goal(format!("sudden pulls and collapses: {what}"), value, "none", count == 0);
+        section.number(name, count as f64);
     };
-    none("overlap of more than 1 mm for more than 50 ms", |outcome| outcome.lasting_s > MAX_OVERLAP_TIME);
-    none("not finite or run away", |outcome| outcome.lost);
-    none("a block through another or the floor", |outcome| outcome.through);
+    none("overlap of more than 1 mm for more than 50 ms", "overlaps", |outcome| outcome.lasting_s > MAX_OVERLAP_TIME);
+    none("not finite or run away", "lost", |outcome| outcome.lost);
+    none("a block through another or the floor", "through", |outcome| outcome.through);
     let deepest: Vec<f64> = outcomes.iter().map(|outcome| outcome.deepest_mm).collect();
     let lasting: Vec<f64> = outcomes.iter().map(|outcome| outcome.lasting_s).collect();
     section.inform(
         "deepest overlap of any sample: median, 95 %, largest",
         format!("{:.3}, {:.3}, {:.3} mm", quantile(&deepest, 0.5), quantile(&deepest, 0.95), max(&deepest)),
     );
+    section.number("deepest_mm", max(&deepest));
     section.inform("longest overlap of more than 1 mm", format!("{:.3} s", max(&lasting)));
 }
 
@@ -106,6 +109,7 @@ fn collapse_figures(section: &mut Section, collapses: &[Collapse]) {
         "all",
         quiet == 100.0,
     );
+    section.number("quiet_percent", quiet);
     section.inform("quiet after: median, largest", format!("{:.2}, {:.2} s", quantile(&times, 0.5), max(&times)));
 }
 

@@ -120,6 +120,9 @@ fn goals(section: &mut Section, stiffness: f64, taken: &[Extraction]) {
     let what = format!("loose block by the hand at 5 cm/s, k = {stiffness:.0e}");
     let (out, others) = (percent(taken, |t| t.out), max(&displacements(taken)));
     section.goal(format!("{what}: come out"), format!("{out:.1} % of {}", taken.len()), "99 %", out >= 99.0);
+    for (name, number) in [("tries", taken.len() as f64), ("out_percent", out), ("others_mm", others)] {
+        section.number(format!("{stiffness:.0e}.{name}"), number);
+    }
     let value = format!("{others:.3} mm at most");
     section.goal(format!("{what}: others move"), value, "0.2 mm", others <= MAX_DISPLACEMENT);
 }

@@ -65,6 +65,11 @@ fn exact_figures(section: &mut Section, all: &[BlockForces]) {
     section.goal("force map where exact: correlation", format!("{r:.5}"), "0.995", r >= 0.995);
     section.goal("loose blocks found below 0.1 N", format!("{found} of {loose}"), "every one", found == loose);
     section.goal("force map where exact: mean error", format!("{error:.4} N"), "0.02 N", error <= 0.02);
+    section.number("correlation", r);
+    section.number("mean_error_N", error);
+    section.number("loose_found", found as f64);
+    section.number("loose", loose as f64);
+    section.number("exact", exact.len() as f64);
     section.inform("force map where exact: 95 % within", format!("{:.4} N", quantile(&errors, 0.95)));
     let value = format!("{} of {}, {} of them tight", exact.len(), all.len(), tight.len());
     section.inform("blocks with an exact answer", value);

@@ -62,6 +62,9 @@ pub fn measure(size: &Size) -> Result<Section, Error> {
     section.goal("labelled towers with a margin of 0.1 mm or more", value, "all", clear_right == clear);
     let met = right as f64 >= 0.995 * count as f64;
     section.goal("all labelled towers", format!("{right} of {count} right"), "99.5 %", met);
+    for (name, number) in [("towers", count), ("right", right), ("clear", clear), ("clear_right", clear_right)] {
+        section.number(name, number as f64);
+    }
     section.table(&["wrong", "label", "margin mm"], rows);
     section.data = json!({"towers": count, "right": right, "clear": clear, "clear_right": clear_right});
     Ok(section)

@@ -89,6 +89,8 @@ pub fn measure(size: &Size) -> Result<Section, Error> {
         let what = format!("share of loose blocks at {:.2} mm against rigid blocks", engine.0);
         let met = (engine.1 - exact.1).abs() <= 2.0;
         section.goal(what, format!("{:.1} and {:.1} %", engine.1, exact.1), "within 2 %", met);
+        section.number("loose_percent", engine.1);
+        section.number("rigid_loose_percent", exact.1);
     }
     section.table(&["scatter mm", "loose", "over towers", "rigid blocks", "tight over loose"], rows);
     let finite: Vec<(f64, Option<f64>)> = ratios.iter().map(|p| (p.0, p.1.is_finite().then_some(p.1))).collect();

@@ -66,6 +66,7 @@ pub fn measure(size: &Size) -> Result<Section, Error> {
             "99 %",
             stay >= 99.0,
         );
+        section.number(format!("{cm:.1}_cm.stay_percent"), stay);
         moved.push((cm, mean(&values(&placed, |p| p.others_mm))));
         after.push((cm, mean(&values(&placed, |p| p.others_after_mm))));
         rows.push(row(cm, &placed));

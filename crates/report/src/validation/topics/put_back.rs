@@ -1,5 +1,7 @@
 //! Loose blocks drawn some distance out by the hand, and pushed in again.
 
+use std::slice;
+
 use serde_json::{Value, json};
 use teeter_physics::{BodyId, World};
 use teeter_scene::{Form, Scene, TowerOptions};
@@ -18,6 +20,10 @@ const DISTANCES: [f64; 4] = [0.01, 0.02, 0.04, 0.06];
 const MAX_BLOCKS: usize = 8;
 /// Maximum number of put-backs listed.
 const MAX_LISTED: usize = 100;
+/// Distance from where it was up to which a block is back, mm: a seventh of its height.
+const HOME: f64 = 2.5;
+/// Name of the setting without rounded edges.
+const SHARP: &str = "sharp edges";
 /// Towers of each setting but the first.
 const OTHER_TOWERS: u64 = 5;
 /// Towers of lattice blocks, which take six times as long.
@@ -56,7 +62,7 @@ impl Setting {
             Self { stiffness: 3e6, ..default("3e6 N/m", few) },
             Self { height_sd: 3e-5, ..default("scatter 0.03 mm", few) },
             Self { height_sd: 3e-4, ..default("scatter 0.3 mm", few) },
-            Self { edge_radius: Some(0.0), ..default("sharp edges", few) },
+            Self { edge_radius: Some(0.0), ..default(SHARP, few) },
         ]);
         if size.form == Form::Rigid {
             settings.push(Self { form: Form::Lattice, ..default("lattice", few.min(LATTICE_TOWERS)) });
@@ -99,6 +105,10 @@ struct Outcomes {
 }
 
 impl Outcomes {
+    fn count(&self, is_so: impl Fn(&PutBack) -> bool) -> usize {
+        self.backs.iter().filter(|back| is_so(back)).count()
+    }
+
     fn moved(&self, of: fn(&PutBack) -> usize) -> f64 {
         percent(&self.backs, |back| of(back) > 0)
     }
@@ -170,7 +180,7 @@ pub fn measure(size: &Size) -> Result<Section, Error> {
         }
     }
     bar.finish_and_clear();
-    figures(&mut section, &all[..DISTANCES.len()]);
+    figures(&mut section, &all);
     let head = ["setting", "drawn mm", "pulls", "others > 1 mm", "> 5 mm", "fell", "worst mm"];
     let head = [&head[..], &["force inwards N", "block aside mm: median, largest"]].concat();
     section.table(&head, all.iter().map(Outcomes::row).collect());
@@ -181,17 +191,48 @@ pub fn measure(size: &Size) -> Result<Section, Error> {
     Ok(section)
 }
 
-/// Figures with a goal, of the default tower.
-fn figures(section: &mut Section, outcomes: &[Outcomes]) {
-    for of in outcomes {
-        let (moved, displaced) = (of.moved(|back| back.moved_1_mm), of.moved(|back| back.moved_5_mm));
-        section.goal(
-            format!("drawn {:.0} mm and put back: another block moves by more than 1 mm, 5 mm", 1e3 * of.distance),
-            format!("{moved:.1} % and {displaced:.1} % of {}, {:.2} mm at most", of.backs.len(), of.worst()),
-            "1 %, none",
-            moved <= 1.0 && displaced == 0.0,
-        );
+/// Figures with a goal, of the default tower at each distance and of the other settings at all
+/// distances together. Sharp edges have no goal: they only show what rounded ones are for.
+fn figures(section: &mut Section, all: &[Outcomes]) {
+    let (default, others) = all.split_at(DISTANCES.len());
+    for of in default {
+        goal(section, &format!("drawn {:.0} mm and put back", 1e3 * of.distance), slice::from_ref(of));
     }
+    numbers(section, "", default);
+    for outcomes in others.chunks(DISTANCES.len()) {
+        let setting = outcomes[0].setting;
+        if setting != SHARP {
+            goal(section, &format!("drawn and put back, {setting}"), outcomes);
+        }
+        numbers(section, &format!("{}.", setting.replace(' ', "_")), outcomes);
+    }
+}
+
+fn goal(section: &mut Section, what: &str, outcomes: &[Outcomes]) {
+    let tries: usize = outcomes.iter().map(|of| of.backs.len()).sum();
+    let share = |is_so: fn(&PutBack) -> bool| {
+        100.0 * outcomes.iter().map(|of| of.count(is_so)).sum::<usize>() as f64 / tries.max(1) as f64
+    };
+    let (moved, displaced) = (share(|back| back.moved_1_mm > 0), share(|back| back.moved_5_mm > 0));
+    let worst = max(&outcomes.iter().map(Outcomes::worst).collect::<Vec<_>>());
+    section.goal(
+        format!("{what}: another block moves by more than 1 mm, 5 mm"),
+        format!("{moved:.1} % and {displaced:.1} % of {tries}, {worst:.2} mm at most"),
+        "1 %, none",
+        moved <= 1.0 && displaced == 0.0,
+    );
+}
+
+/// Numbers of a setting, all distances together.
+fn numbers(section: &mut Section, prefix: &str, outcomes: &[Outcomes]) {
+    let mut add = |name: &str, value: f64| section.number(format!("{prefix}{name}"), value);
+    let sum = |is_so: fn(&PutBack) -> bool| outcomes.iter().map(|of| of.count(is_so)).sum::<usize>() as f64;
+    add("tries", sum(|_| true));
+    add("over_1mm", sum(|back| back.moved_1_mm > 0));
+    add("over_5mm", sum(|back| back.moved_5_mm > 0));
+    add("fell", sum(|back| back.fell > 0));
+    add("worst_mm", max(&outcomes.iter().map(Outcomes::worst).collect::<Vec<_>>()));
+    add("not_home", sum(|back| !back.out || back.aside_mm > HOME));
 }
 
 fn chart(all: &[Outcomes]) -> Chart {

@@ -154,6 +154,9 @@ pub fn measure(size: &Size) -> Result<Section, Error> {
     let (stand, out) = (worst(|summary| summary.stand), worst(|summary| summary.out));
     let others = max(&all.iter().map(|summary| summary.others_mm).collect::<Vec<_>>());
     section.goal("towers stand at every setting", format!("{stand:.0} % at the worst"), "all", stand == 100.0);
+    section.number("stand_percent", stand);
+    section.number("out_percent", out);
+    section.number("others_mm", others);
     let what = "loose blocks come out at 5 cm/s at every setting";
     section.goal(what, format!("{out:.0} % at the worst"), "99 %", out >= 99.0);
     let value = format!("{others:.3} mm at most");

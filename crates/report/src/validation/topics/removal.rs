@@ -65,6 +65,10 @@ fn figures(section: &mut Section, removals: &[Removal]) {
     let leans: Vec<f64> = standing().map(|removal| removal.lean_mm).collect();
     let met = agree as f64 >= 0.995 * count as f64;
     section.goal("single removals: as rigid blocks say", format!("{agree} of {count}"), "99.5 %", met);
+    section.number("removals", count as f64);
+    section.number("as_rigid", agree as f64);
+    section.number("fell", fell as f64);
+    section.number("creep_mm", max(&creeps));
     section.inform("towers that fall", format!("{fell} of {count}; jenga_sim_vision has none of 204 with PyBullet"));
     section.goal(
         "creep after a removal",

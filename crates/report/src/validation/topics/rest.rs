@@ -37,6 +37,9 @@ pub fn measure(size: &Size) -> Result<Section, Error> {
         "1e-8 J, a nanometre",
         potential < 1e-8,
     );
+    section.number("creep_m", creep);
+    section.number("potential_J", potential);
+    section.number("kinetic_J", kinetic);
     section.inform("largest kinetic energy of any sample", format!("{kinetic:.1e} J"));
     section.data = json!({"rests": rests});
     Ok(section)

@@ -150,6 +150,8 @@ fn figures(section: &mut Section, all: &[Measurement]) {
     };
     section.inform("force against mesh: lever, corners", format!("{:.1} %, {:.1} % off", error(0), error(1)));
     let same = percent(all, |m| m.engine[0] * m.rigid[2] > 0.0 || m.rigid[2].abs() < NO_ROTATION);
+    section.number("blocks", all.len() as f64);
+    section.number("same_direction_percent", same);
     let what = "the row above turns in the direction that rigid blocks give";
     section.goal(what, format!("{same:.0} %"), "95 %", same >= 95.0);
 }

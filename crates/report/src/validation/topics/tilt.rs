@@ -39,6 +39,9 @@ pub fn measure(size: &Size) -> Result<Section, Error> {
     let (median, p95) = (quantile(&errors, 0.5), quantile(&errors, 0.95));
     section.goal("tilt, median error", format!("{median:.3} degrees"), "0.1 degrees", median <= 0.1);
     section.goal("tilt, 95 % within", format!("{p95:.3} degrees"), "0.3 degrees", p95 <= 0.3);
+    section.number("median_error_deg", median);
+    section.number("p95_error_deg", p95);
+    section.number("towers", plain.len() as f64);
     section.inform("towers", format!("{} and {} that depend on sides", plain.len(), sides.len()));
     section.data = json!({"plain": plain, "sides": sides});
     section.charts.push(Chart {
