@@ -196,6 +196,12 @@ impl Bodies {
         self.velocity[i].length() + self.spin[i].length() * shapes.radius[i]
     }
 
+    /// Kinetic energy of a body that moves as a whole, J.
+    pub fn kinetic_energy(&self, shapes: &Shapes, i: usize) -> f64 {
+        let (velocity, spin) = (self.velocity[i], self.spin[i]);
+        0.5 * shapes.mass[i] * velocity.length_squared() + 0.5 * spin.dot(self.inertia(shapes, i) * spin)
+    }
+
     /// Upper bound of the displacement of a body's points from another pose, m.
     pub fn travel_since(&self, shapes: &Shapes, i: usize, pose: (DVec3, DQuat)) -> f64 {
         (self.position[i] - pose.0).length() + rotation_between(pose.1, self.orientation[i]).length() * shapes.radius[i]

@@ -70,8 +70,7 @@ impl Cluster {
         let Self { shapes, bodies, particles, .. } = self;
         let mut energy = Energy::default();
         for i in (0..bodies.len()).filter(|&i| !bodies.fixed[i] && !bodies.quarantined[i]) {
-            let (mass, velocity, spin) = (shapes.mass[i], bodies.velocity[i], bodies.spin[i]);
-            let rigid = 0.5 * mass * velocity.length_squared() + 0.5 * spin.dot(bodies.inertia(shapes, i) * spin);
+            let (mass, rigid) = (shapes.mass[i], bodies.kinetic_energy(shapes, i));
             energy.kinetic += rigid;
             energy.potential -= mass * gravity.dot(bodies.position[i]);
             let Some((particles, springs)) = particles.get(i).zip(springs) else { continue };

@@ -2,9 +2,11 @@
 //!
 //! Full gravity at once would drop a tower onto its springs and rock what is nearly balanced. So a
 //! new world settles before its time begins: gravity grows while motion is damped, until the blocks
-//! of each island that bears on the floor or a fixed block have compressed their contacts. What is
-//! in the air waits. An island that does not come to rest, because it falls or slides, begins in
-//! the poses of the scene.
+//! of each island that bears on the floor or a fixed block have compressed their contacts. From
+//! then on bodies stop whenever the kinetic energy of their island has passed a peak (dynamic
+//! relaxation with kinetic damping), which ends slow sway as soon as quick vibration. What is in
+//! the air waits. An island that does not come to rest, because it falls or slides, begins in the
+//! poses of the scene.
 
 use glam::DVec3;
 
@@ -36,6 +38,8 @@ struct Islands {
     root: Vec<u32>,
     /// State of each island, at the index of its lowest body.
     states: Vec<Island>,
+    /// Largest kinetic energy of each island since its bodies were last stopped, J.
+    peaks: Vec<f64>,
 }
 
 impl Islands {
@@ -70,14 +74,33 @@ impl World {
         while self.time < START_TIME && islands.are_settling() {
             self.step(&Input::default());
             self.judge_islands(&initial, &mut islands);
-            for body in self.bodies() {
-                match islands.of(body) {
-                    Island::Settling => self.slow(body),
-                    Island::Free | Island::Settled | Island::Restless => self.hold(body),
-                }
-            }
+            self.relax(&mut islands);
         }
         self.begin(&initial, |body| islands.of(body) == Island::Settled);
+    }
+
+    /// Takes motion from the islands that settle: a share of it while gravity grows, then all of it
+    /// when the kinetic energy of the island has passed a peak.
+    fn relax(&mut self, islands: &mut Islands) {
+        let mut energies = vec![0.0f64; self.len()];
+        for body in self.bodies() {
+            let (cluster, i) = self.clusters.get(body.0);
+            energies[islands.root[body.index()] as usize] += cluster.bodies.kinetic_energy(&cluster.shapes, i);
+        }
+        let grows = self.time < START_RAMP;
+        for body in self.bodies() {
+            let root = islands.root[body.index()] as usize;
+            let passed = energies[root] < islands.peaks[root];
+            match islands.of(body) {
+                Island::Settling if grows => self.slow(body, START_DAMPING),
+                Island::Settling if passed => self.slow(body, 0.0),
+                Island::Settling => {}
+                Island::Free | Island::Settled | Island::Restless => self.hold(body),
+            }
+        }
+        for (peak, energy) in islands.peaks.iter_mut().zip(energies) {
+            *peak = if grows || energy < *peak { 0.0 } else { energy };
+        }
     }
 
     /// Updates the states of the islands that settle.
@@ -105,13 +128,16 @@ impl World {
     /// more as a whole.
     fn find_restless(&self, initial: &Self, islands: &mut Islands) {
         let moved = |body: BodyId| self.pose(body).position - initial.pose(body).position;
-        let thickness = |body: BodyId| self.size(body).min_element();
+        let middle = |body: BodyId| {
+            let size = self.size(body);
+            size.element_sum() - size.min_element() - size.max_element()
+        };
         for cluster in &initial.clusters.list {
             let body = |i: u32| (i != FLOOR).then(|| BodyId(cluster.ids[i as usize]));
             for manifold in cluster.contacts.manifolds.iter().filter(|m| touches(m)) {
                 let Some(b) = body(manifold.b) else { continue };
                 let against = body(manifold.a).map_or(DVec3::ZERO, moved);
-                let reach = body(manifold.a).map_or(f64::INFINITY, thickness).min(thickness(b));
+                let reach = body(manifold.a).map_or(f64::INFINITY, middle).min(middle(b));
                 if (moved(b) - against).length() > START_REACH * reach {
                     for body in [Some(b), body(manifold.a)].into_iter().flatten() {
                         if islands.of(body) == Island::Settling {
@@ -145,7 +171,8 @@ impl World {
                 states[root as usize] = Island::Settling;
             }
         }
-        Islands { root, states }
+        let peaks = vec![0.0; self.len()];
+        Islands { root, states, peaks }
     }
 
     /// Ends the settling: time begins, with the bodies in their settled poses where `settled`, else
@@ -194,10 +221,10 @@ impl World {
         cluster.bodies.spin[i] = DVec3::ZERO;
     }
 
-    /// Takes a part of a body's motion.
-    fn slow(&mut self, body: BodyId) {
+    /// Leaves a share of a body's motion.
+    fn slow(&mut self, body: BodyId, share: f64) {
         let Twist { velocity, spin } = self.twist(body);
-        self.set_twist(body, Twist { velocity: velocity * START_DAMPING, spin: spin * START_DAMPING });
+        self.set_twist(body, Twist { velocity: velocity * share, spin: spin * share });
     }
 }
 

@@ -65,7 +65,7 @@ pub struct CardsOptions {
 
 impl Default for CardsOptions {
     fn default() -> Self {
-        Self { edge_radius: 1e-4, pitch: 0.07, friction: 0.7, stiffness: 1e5 }
+        Self { edge_radius: 1e-4, pitch: 0.07, friction: 0.7, stiffness: 5e5 }
     }
 }
 
