@@ -122,12 +122,13 @@ pub const TOUCH_GAP: f64 = 2e-5;
 /// Time over which gravity grows while a new world settles, s.
 pub const START_RAMP: f64 = 0.1;
 /// Longest time for which a new world settles, s.
-pub const START_TIME: f64 = 0.75;
-/// Share of its velocity that a body keeps at the end of each frame in which it settles.
+pub const START_TIME: f64 = 3.0;
+/// Share of its velocity that a body keeps at the end of each frame in which gravity grows.
 pub const START_DAMPING: f64 = 0.5;
-/// Travel of a block against one that it touches, over the thickness of the thinner, from which it
-/// does not settle but falls or slides. A loose block of a tower rocks by a hundredth of it.
-pub const START_REACH: f64 = 0.1;
+/// Travel of a block against one that it touches, over the middle edge of the smaller, from which
+/// it does not settle but falls or slides. A loose block of a tower rocks by a tenth of it, a card
+/// of a house by half its thickness.
+pub const START_REACH: f64 = 0.03;
 /// Speed below which a body has settled, m/s.
 pub const START_SPEED: f64 = 1e-5;
 /// Speed up to which a body that has not settled in time begins where it is, m/s.
@@ -148,8 +149,10 @@ pub const HAND_RATE: f64 = 225.0;
 /// and its inner end presses on the blocks above.
 pub const HAND_ROTATION_RATE: f64 = 900.0;
 /// Share of a block's weight that a hand carries while it draws the block out: a loose block then
-/// drags its tower along by half as much.
-pub const HAND_LIFT: f64 = 0.5;
+/// drags its tower along by a fifth of its friction. The remaining weight of a block that is half
+/// out tips it by the give of the hand: with a share of a half by a tenth of a milliradian, and its
+/// inner end wedges under a block that is 8 um above it.
+pub const HAND_LIFT: f64 = 0.8;
 /// Speed of a body's points from which its energy is checked, m/s.
 pub const RUNAWAY_SPEED: f64 = 100.0;
 /// Energy of a fast body over that of its cluster from which it has run away. Impacts at high speed

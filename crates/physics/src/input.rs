@@ -87,7 +87,7 @@ impl Input {
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Grip {
     /// Fingers on a block in the tower: they steer it sideways and keep its orientation. Where they
-    /// keep an orientation they carry half of its weight; upwards they give no more than the
+    /// keep an orientation they carry four fifths of its weight; upwards they give no more than the
     /// block's own weight, so they cannot lift the tower.
     Slide,
     /// A block in the air: moved in all directions, its weight carried.

@@ -83,8 +83,8 @@ pub struct PutBack {
 /// let scene = teeter_scene::named("block").unwrap();
 /// let world = settled(&scene, Params::default())?;
 /// let back = put_back(&world, BodyId(0), 0.04, &PutBackOptions::default());
-/// // the hand carries half of the weight, and friction resists with the other half
-/// let friction = scene.friction * 0.5 * scene.blocks[0].mass * scene.gravity;
+/// // the hand carries four fifths of the weight, and friction resists with the rest
+/// let friction = scene.friction * 0.2 * scene.blocks[0].mass * scene.gravity;
 /// assert!(back.out && (back.force_n / friction - 1.0).abs() < 0.1);
 /// assert!(back.aside_mm < 1.0);
 /// # Ok::<(), teeter_physics::BuildError>(())

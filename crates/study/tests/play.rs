@@ -75,9 +75,18 @@ fn a_loose_block_that_is_put_back_leaves_the_others_where_they_were() {
         let back = put_back(&world, body, distance, &PutBackOptions::default());
         assert!(back.out && (back.moved_1_mm, back.moved_5_mm, back.fell) == (0, 0, 0), "{back:?}");
         assert!(back.worst_mm < 0.2 && back.aside_mm < 1.0, "{back:?}");
-        // friction of its own weight, of which the hand carries a half meanwhile
+        // friction of its own weight, of which the hand carries four fifths meanwhile
         let weight = scene.blocks[body.index()].mass * scene.gravity;
-        assert!(back.force_n > 0.4 * scene.friction * weight && back.force_n < 4.0, "{back:?}");
+        assert!(back.force_n > 0.15 * scene.friction * weight && back.force_n < 4.0, "{back:?}");
+    }
+}
+
+#[test]
+fn a_block_does_not_wedge_under_one_a_hundredth_of_a_millimetre_above_it() {
+    for (seed, height_sd, body) in [(15, 1e-4, 46), (1, 3e-5, 47)] {
+        let world = settled(&tower(&TowerOptions { seed, height_sd, ..TowerOptions::default() }).unwrap(), params());
+        let back = put_back(&world.unwrap(), BodyId(body), 0.06, &PutBackOptions::default());
+        assert!(back.out && back.worst_mm < 0.2 && back.aside_mm < 1.0, "seed {seed}: {back:?}");
     }
 }
 
