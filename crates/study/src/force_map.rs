@@ -8,7 +8,7 @@ use teeter_scene::Scene;
 use crate::breakaway_force::breakaway_force;
 use crate::limit_analysis::{Breakaway, RigidTower};
 use crate::par_map::par_map;
-use crate::plan::long_axis;
+use crate::plan::pull_axis;
 use crate::settle::settled;
 use crate::xray::{Load, xray};
 
@@ -101,7 +101,7 @@ pub fn force_map_from(scene: &Scene, world: &World, measured: impl Fn() + Sync) 
     let springs = rigid.as_ref().and_then(|r| r.on_springs().ok());
     let blocks: Vec<usize> = (0..scene.blocks.len()).collect();
     par_map(&blocks, |&i| {
-        let axis = long_axis(&scene.blocks[i]).extend(0.0);
+        let axis = pull_axis(&scene.blocks[i]);
         let force = |axis: DVec3| breakaway_force(world, BodyId(i as u32), axis);
         let forces = BlockForces {
             id: scene.blocks[i].id,

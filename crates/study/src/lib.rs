@@ -45,7 +45,7 @@ pub use long_rest::{LongRest, long_rest};
 pub use max_height::{max_height, scene_height};
 pub use mechanism::{Mechanism, Spread, mechanism};
 pub use par_map::par_map;
-pub use plan::long_axis;
+pub use plan::{long_axis, pull_axis};
 pub use prediction::{Prediction, predict};
 pub use put_back::{PutBack, PutBackOptions, put_back};
 pub use reference_positions::ReferencePositions;

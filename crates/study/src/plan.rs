@@ -1,8 +1,10 @@
 //! Plan view of blocks: rectangles, and the polygon in which two of them overlap.
 
-use glam::DVec2;
+use glam::{DQuat, DVec2, DVec3};
 use teeter_scene::Block;
 
+/// Tilt up to which a block stands upright, rad: an end of the nominal block then rises by 0.4 um.
+const UPRIGHT: f64 = 1e-5;
 /// Distance below which two corners are one, m.
 const MERGE: f64 = 1e-7;
 
@@ -21,14 +23,26 @@ pub fn center(block: &Block) -> DVec2 {
     DVec2::new(block.pos[0], block.pos[1])
 }
 
-/// Unit vectors along length and width.
+/// Returns true if a block stands upright, turned about the vertical alone.
+pub fn is_upright(block: &Block) -> bool {
+    let up = DQuat::from_array(block.rotation()) * DVec3::Z;
+    up.z > 0.0 && up.truncate().length() <= UPRIGHT
+}
+
+/// Unit vectors along length and width, of an upright block.
 fn axes(block: &Block) -> [DVec2; 2] {
-    let (sin, cos) = libm::sincos(block.yaw);
+    let (sin, cos) = match block.orientation {
+        None => libm::sincos(block.yaw),
+        Some(_) => {
+            let along = (DQuat::from_array(block.rotation()) * DVec3::X).truncate().normalize_or(DVec2::X);
+            (along.y, along.x)
+        }
+    };
     [DVec2::new(cos, sin), DVec2::new(-sin, cos)]
 }
 
-/// Unit vector along the longer horizontal edge of a block: forwards is along it, backwards against
-/// it.
+/// Unit vector along the longer horizontal edge of an upright block: forwards is along it,
+/// backwards against it.
 ///
 /// ```
 /// let scene = teeter_scene::named("block").unwrap();
@@ -36,6 +50,28 @@ fn axes(block: &Block) -> [DVec2; 2] {
 /// ```
 pub fn long_axis(block: &Block) -> DVec2 {
     axes(block)[usize::from(block.size[1] > block.size[0])]
+}
+
+/// Unit vector along the longest edge of a block that lies within 45 degrees of level; of an
+/// upright block as [`long_axis`].
+///
+/// ```
+/// # use teeter_scene::Block;
+/// // on its end, turned by a quarter about y
+/// let half = std::f64::consts::FRAC_1_SQRT_2;
+/// let block = Block::new(0, [0.081, 0.0268, 0.018], 0.0196, [0.0, 0.0, 0.0405]);
+/// let on_end = Block { orientation: Some([0.0, half, 0.0, half]), ..block };
+/// assert!(teeter_study::pull_axis(&on_end).distance(glam::DVec3::Y) < 1e-12);
+/// ```
+pub fn pull_axis(block: &Block) -> DVec3 {
+    if is_upright(block) {
+        return long_axis(block).extend(0.0);
+    }
+    let rotation = DQuat::from_array(block.rotation());
+    let edges = [DVec3::X, DVec3::Y, DVec3::Z].map(|axis| rotation * axis).into_iter().zip(block.size);
+    // Two of three perpendicular directions are within 45 degrees of level.
+    let level = edges.filter(|(edge, _)| edge.z * edge.z <= 0.5);
+    level.reduce(|a, b| if b.1 > a.1 { b } else { a }).map_or(DVec3::X, |(edge, _)| edge)
 }
 
 /// Corners of a block, anticlockwise, m.
@@ -129,6 +165,16 @@ mod tests {
 
     fn block(x: f64, y: f64, yaw: f64) -> Block {
         Block { yaw, ..Block::new(0, [0.081, 0.0268, 0.018], 0.0196, [x, y, 0.009]) }
+    }
+
+    #[test]
+    fn a_rotation_is_the_same_as_a_yaw_and_as_a_quaternion() {
+        let turned = block(0.01, 0.02, 0.7);
+        let same = Block { yaw: 0.0, orientation: Some(turned.rotation()), ..turned.clone() };
+        assert!(is_upright(&same) && long_axis(&same).distance(long_axis(&turned)) < 1e-12);
+        assert!(corners(&same).iter().zip(corners(&turned)).all(|(a, b)| a.distance(b) < 1e-12));
+        let tilted = Block { orientation: Some([1e-3, 0.0, 0.0, 1.0]), ..turned };
+        assert!(!is_upright(&tilted) && pull_axis(&tilted).distance(DVec3::X) < 1e-12);
     }
 
     #[test]

@@ -93,7 +93,7 @@ pub fn remove(scene: &Scene, block: usize, params: Params) -> Result<Removal, Bu
     let exact_fell = match RigidTower::stands(&rest) {
         Ok(()) => Some(false),
         Err(LimitError::NoEquilibrium) => Some(true),
-        Err(LimitError::Unsolved) => None,
+        Err(LimitError::Unsolved | LimitError::Unsuitable { .. }) => None,
     };
     let mut world = World::new(&rest, params)?;
     let settling = world.frames(SETTLE_TIME);

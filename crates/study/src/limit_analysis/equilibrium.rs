@@ -7,19 +7,30 @@ use teeter_scene::Scene;
 use super::contact_point::{ContactPoint, contact_points, max_area};
 use super::error::LimitError;
 use super::program::{UNIT, balance_rows, solve};
-use crate::plan::top;
+use crate::plan::{bottom, is_upright, top};
 use crate::stiff_limit::{self, Spring};
 
 /// Share of its height by which a tower is compressed where the search for its forces begins: more
 /// than heights differ, so that all springs push.
 const COMPRESSION: f64 = 0.05;
 
+/// Gap up to which a block stands on the floor, m.
+const MAX_GAP: f64 = 2e-5;
+
 /// Returns the points at which blocks may touch, and the minimum work of forces that hold every
 /// block in equilibrium, J.
 ///
 /// # Errors
-/// When no forces do so or the solver gives up.
+/// When a block is tilted or fixed in the air, no forces do so, or the solver gives up.
 pub(super) fn equilibrium(scene: &Scene) -> Result<(Vec<ContactPoint>, f64), LimitError> {
+    for block in &scene.blocks {
+        // On the floor a fixed block bears its load as one that can move does.
+        let hangs = block.fixed && bottom(block) > MAX_GAP;
+        if hangs || !is_upright(block) {
+            let state = if hangs { "fixed above the floor" } else { "tilted" };
+            return Err(LimitError::Unsuitable { id: block.id, state });
+        }
+    }
     let points = contact_points(&scene.blocks);
     let mut problem = Problem::new(OptimizationDirection::Minimize);
     let forces: Vec<Variable> = points.iter().map(|p| problem.add_var(p.gap / UNIT, (0.0, f64::INFINITY))).collect();

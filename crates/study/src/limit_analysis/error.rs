@@ -11,6 +11,14 @@
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq, Eq, thiserror::Error)]
 pub enum LimitError {
+    /// A block is tilted, or fixed in the air; the analysis is of upright blocks on a floor.
+    #[error("block {id} is {state}: limit analysis is of upright blocks on a floor")]
+    Unsuitable {
+        /// Id of the block.
+        id: u32,
+        /// `tilted` or `fixed above the floor`.
+        state: &'static str,
+    },
     /// No forces hold every block in equilibrium.
     #[error("rigid blocks do not rest like this: the tower falls")]
     NoEquilibrium,

@@ -37,7 +37,7 @@ impl<'a> RigidTower<'a> {
     /// Solves the equilibrium of `scene`.
     ///
     /// # Errors
-    /// When rigid blocks cannot rest like this, or the solver gives up.
+    /// When a block is tilted or fixed in the air, rigid blocks cannot rest like this, or the solver gives up.
     pub fn new(scene: &'a Scene) -> Result<Self, LimitError> {
         let (points, work) = equilibrium(scene)?;
         let forces = spring_forces(scene, &points, stiff_limit::RIGID).ok_or(LimitError::Unsolved)?;
@@ -58,7 +58,7 @@ impl<'a> RigidTower<'a> {
     /// Checks that the tower of `scene` can rest.
     ///
     /// # Errors
-    /// When it cannot, or the solver gives up.
+    /// When it cannot, a block is tilted or fixed in the air, or the solver gives up.
     pub fn stands(scene: &Scene) -> Result<(), LimitError> {
         equilibrium(scene).map(|_| ())
     }
