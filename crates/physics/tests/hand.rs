@@ -90,7 +90,8 @@ fn a_block_drawn_half_out_does_not_tip_or_drag_the_loose_block_above() {
     }
 }
 
-/// Drag is the coefficient of friction times the load on the block below, which is a fifth of the weight.
+/// Drag is the coefficient of friction times the load on the block below, which is a fifth of the
+/// weight.
 #[test]
 fn a_sliding_hand_carries_four_fifths_of_the_weight() {
     for params in both() {

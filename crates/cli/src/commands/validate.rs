@@ -37,7 +37,7 @@ pub struct Validate {
     /// Seed of the first tower.
     #[arg(long, default_value_t = 1)]
     seed: u64,
-    /// Seeds of the towers, as in 101..121, without the last; in place of `--seed` and `--towers`.
+    /// Seeds of the towers, as in 101..121, without the last; instead of `--seed` and `--towers`.
     #[arg(long, value_name = "A..B", value_parser = seeds, conflicts_with_all = ["seed", "towers"])]
     seeds: Option<Range<u64>>,
     /// Simulated rest of all towers together, h [default: 24].

@@ -37,7 +37,8 @@ impl<'a> RigidTower<'a> {
     /// Solves the equilibrium of `scene`.
     ///
     /// # Errors
-    /// When a block is tilted or fixed in the air, rigid blocks cannot rest like this, or the solver gives up.
+    /// When a block is tilted or fixed in the air, rigid blocks cannot rest like this, or the
+    /// solver gives up.
     pub fn new(scene: &'a Scene) -> Result<Self, LimitError> {
         let (points, work) = equilibrium(scene)?;
         let forces = spring_forces(scene, &points, stiff_limit::RIGID).ok_or(LimitError::Unsolved)?;
