@@ -31,6 +31,9 @@ pub const NOMINAL_MASS: f64 = 0.0196;
 /// the mobility of a corner would be 10 / m, against 6 / m of a rigid block, and the substep 0.6
 /// times as long.
 pub const STRAIN_INERTIA: f64 = 8.0;
+/// Squared spin times mass over the stiffness of a block's springs above which its strain by the
+/// spin is exact. Below, its energy is less than 1e-4 of that of the rotation.
+pub const SPIN_STRAIN: f64 = 1e-6;
 /// Smallest extent of a strained block over its rest extent, along any axis.
 pub const MIN_STRETCH: DVec3 = DVec3::splat(0.05);
 

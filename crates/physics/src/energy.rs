@@ -8,7 +8,6 @@ use crate::cluster::Cluster;
 use crate::collision::manifold::{ContactPoint, Manifold};
 use crate::collision::stable_spring::stable_spring;
 use crate::constants::{STRAIN_INERTIA, TANGENTIAL_STIFFNESS};
-use crate::lattice::affine::PARTICLES;
 use crate::lattice::springs::Springs;
 use crate::world::World;
 
@@ -48,8 +47,9 @@ impl Energy {
 impl World {
     /// Mechanical energy of the bodies that can move, and of their contacts.
     ///
-    /// The velocities of the inner loop are half a substep behind the gaps. The energy of contacts
-    /// is taken at the time of the velocities, or it would seem to change during an impact.
+    /// The velocities of the inner loop are half a substep ahead of the positions: the next
+    /// displacement is theirs. The energy of springs is taken at the time of the velocities, or it
+    /// would seem to change during an impact.
     pub fn energy(&self) -> Energy {
         let springs = self.derived.springs.as_ref();
         self.clusters.list.iter().fold(Energy::default(), |sum, cluster| {
@@ -70,14 +70,16 @@ impl Cluster {
         let Self { shapes, bodies, particles, .. } = self;
         let mut energy = Energy::default();
         for i in (0..bodies.len()).filter(|&i| !bodies.fixed[i] && !bodies.quarantined[i]) {
-            let (mass, rigid) = (shapes.mass[i], bodies.kinetic_energy(shapes, i));
-            energy.kinetic += rigid;
+            let (mass, velocity) = (shapes.mass[i], bodies.velocity[i]);
             energy.potential -= mass * gravity.dot(bodies.position[i]);
-            let Some((particles, springs)) = particles.get(i).zip(springs) else { continue };
-            let share = mass / PARTICLES as f64;
-            let moving: f64 = particles.velocity.iter().map(|v| 0.5 * share * v.length_squared()).sum();
-            energy.kinetic += STRAIN_INERTIA * (moving - rigid).max(0.0);
-            energy.elastic += particles.energy(shapes.particles[i], springs);
+            let Some((particles, springs)) = particles.get(i).zip(springs) else {
+                energy.kinetic += bodies.kinetic_energy(shapes, i);
+                continue;
+            };
+            let moved = particles.moved(0.5 * shapes.spring.h, shapes.particles[i], bodies.orientation[i]);
+            let (rotation, strain) = moved.kinetic_energy(mass);
+            energy.kinetic += 0.5 * mass * velocity.length_squared() + rotation + STRAIN_INERTIA * strain;
+            energy.elastic += moved.elastic_energy(shapes.particles[i], springs);
         }
         energy
     }
@@ -88,31 +90,35 @@ impl Cluster {
     /// force, and its energy is that from which it went slack.
     fn contact_energy(&self, manifold: &Manifold) -> f64 {
         let (stiffness, _) = stable_spring(manifold, &self.shapes, &self.bodies);
-        let lag = 0.5 * self.shapes.spring.h;
+        let lead = 0.5 * self.shapes.spring.h;
+        let opening_speed = self.opening_speeds(manifold);
         let squares = manifold.points.iter().map(|p| {
-            let gap = p.gap + manifold.free_depth - lag * self.opening_speed(manifold, p);
-            let slack = gap + p.maxwell > 0.0;
+            let moved = lead * opening_speed(p);
+            let (gap, maxwell) = (p.gap + manifold.free_depth + moved, p.maxwell + moved);
+            let slack = gap + maxwell > 0.0;
             let normal = match gap < 0.0 {
                 false => return 0.0,
-                true if slack => 0.5 * (gap - p.maxwell) * (gap - p.maxwell),
-                true => gap * gap + p.maxwell * p.maxwell,
+                true if slack => 0.5 * (gap - maxwell) * (gap - maxwell),
+                true => gap * gap + maxwell * maxwell,
             };
             p.weight * (normal + TANGENTIAL_STIFFNESS * p.tangential.iter().map(|u| u * u).sum::<f64>())
         });
         0.5 * stiffness * squares.sum::<f64>()
     }
 
-    /// Speed at which the gap of a contact point grows, m/s.
-    fn opening_speed(&self, manifold: &Manifold, point: &ContactPoint) -> f64 {
+    /// Speed at which the gap of each point of a contact grows, m/s.
+    fn opening_speeds(&self, manifold: &Manifold) -> impl Fn(&ContactPoint) -> f64 {
         let (_, axes_a) = self.bodies.pose(manifold.a);
-        let velocity = |i: u32, anchor: DVec3| {
-            if i == FLOOR {
-                return DVec3::ZERO;
-            }
-            let (_, axes) = self.bodies.affine(i);
-            self.bodies.velocity[i as usize] + self.bodies.spin[i as usize].cross(axes * anchor)
-        };
         let normal = manifold.normal_in_world(&self.bodies, axes_a);
-        normal.dot(velocity(manifold.b, point.anchor_b) - velocity(manifold.a, point.anchor_a))
+        // n · (v + w × R x) = n · v + Rᵀ (n × w) · x
+        let of = |i: u32| {
+            if i == FLOOR {
+                return (0.0, DVec3::ZERO);
+            }
+            let ((_, axes), i) = (self.bodies.affine(i), i as usize);
+            (normal.dot(self.bodies.velocity[i]), axes.transpose() * normal.cross(self.bodies.spin[i]))
+        };
+        let ((speed_a, turn_a), (speed_b, turn_b)) = (of(manifold.a), of(manifold.b));
+        move |p| speed_b - speed_a + turn_b.dot(p.anchor_b) - turn_a.dot(p.anchor_a)
     }
 }

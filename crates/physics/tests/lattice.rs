@@ -359,3 +359,27 @@ fn a_column_is_pulled_apart_at_coulombs_force() {
     let (below, above) = (moved(0.995), moved(1.005));
     assert!(below < 1e-5 && above > 1e-3, "{below} and {above} m");
 }
+
+#[test]
+fn a_spinning_block_is_strained_by_the_forces_that_turn_its_particles() {
+    for (stiffness, spin) in [(1e6, 60.0), (1e5, 20.0)] {
+        let mut scene = Scene { form: Form::Lattice, gravity: 0.0, ..one() };
+        scene.springs.stiffness = Some(stiffness);
+        scene.blocks[0].pos[2] = 1.0;
+        scene.blocks[0].spin = [0.0, 0.0, spin];
+        let mut world = World::new(&scene, awake()).unwrap();
+        let momentum = inertia(SIZE, MASS).z * spin;
+        run(&mut world, 0.5, &Input::default());
+        let (_, w) = motion(&world, 0);
+        assert!((inertia(SIZE, MASS).z * w.z / momentum - 1.0).abs() < 1e-5, "{w}");
+        // The virial of the springs is twice the energy of the rotation.
+        let lattice = world.lattice(BodyId(0)).unwrap();
+        let at = lattice.particles;
+        let pairs = (0..8).flat_map(|i| (i + 1..8).map(move |j| (i, j)));
+        let virial: f64 = pairs.zip(lattice.forces).map(|((i, j), force)| force * (at[j] - at[i]).length()).sum();
+        let center = position(&world, 0);
+        let squares: f64 = at.iter().map(|x| (*x - center).truncate().length_squared()).sum();
+        let expected = MASS / 8.0 * w.z * w.z * squares;
+        assert!((virial / expected - 1.0).abs() < 0.01, "{virial} {expected}");
+    }
+}

@@ -6,7 +6,7 @@
 use glam::{DMat3, DVec3};
 
 use crate::body::BodyForce;
-use crate::constants::STRAIN_INERTIA;
+use crate::constants::{SPIN_STRAIN, STRAIN_INERTIA};
 use crate::kernel::affine_motion::{AffineMotion, AffineWrench};
 use crate::kernel::body_model::{BodyDelta, BodyModel, KernelBody};
 use crate::kernel::layout::{Group, Row, row, row_mut};
@@ -52,6 +52,9 @@ pub struct Lattice<R> {
     inv_rotation: [LaneArray<R>; 3],
     /// 1 / (8 g) along each axis, 1/m.
     inv_distance: [LaneArray<R>; 3],
+    /// Part of the centripetal acceleration that needs no force, for blocks that spin fast; zero
+    /// for others.
+    centripetal: LaneArray<R>,
 }
 
 impl<R: Real> BodyModel<R> for Lattice<R> {
@@ -78,6 +81,7 @@ impl<R: Real> BodyModel<R> for Lattice<R> {
             rotation_budget: unlimited,
             inv_rotation: [zero; 3],
             inv_distance: [zero; 3],
+            centripetal: zero,
         }
     }
 
@@ -110,6 +114,8 @@ impl<R: Real> BodyModel<R> for Lattice<R> {
             let square = |j: usize| edges[j % 3].length_squared();
             self.inv_rotation[k].0[l] = R::from_f64(1.0 / (square(k) * (square(k + 1) + square(k + 2))));
         }
+        let spins = body.active && body.spin.length_squared() * body.mass > SPIN_STRAIN * springs.stiffness;
+        self.centripetal.0[l] = R::from_f64(if spins { 1.0 - 1.0 / STRAIN_INERTIA } else { 0.0 });
         set3(&mut self.offset, l, body.offset);
         self.extent.0[l] = R::from_f64(1.0 / (8.0 * springs.inset));
         self.travel_budget.0[l] = R::from_f64(body.travel_budget);
@@ -201,6 +207,9 @@ impl<R: Real> BodyModel<R> for Lattice<R> {
             store3(&mut self.displacement[i], part, &u[i]);
         }
         self.add_springs::<L>(part, &u, &mut change);
+        if L::any(L::zero().less_than(self::load(&self.centripetal, part))) {
+            self.add_centripetal::<L>(part, [&u, &v], &mut change);
+        }
         for i in 0..PARTICLES {
             for k in 0..3 {
                 v[i][k] += change[i][k];
@@ -331,18 +340,62 @@ impl<R: Real> Lattice<R> {
     #[inline(always)]
     fn reduce_strain<L: Lanes<Scalar = R>>(&self, part: usize, along: &mut [[L; 3]; 3]) {
         let edge = [load3::<L>(&self.edge[0], part), load3::<L>(&self.edge[1], part), load3::<L>(&self.edge[2], part)];
-        // The common rotation β, h² times half the angular acceleration, solves
-        // Σ e × x = Σ e × (β × e).
-        let (x, y, z) = (cross(&edge[0], &along[0]), cross(&edge[1], &along[1]), cross(&edge[2], &along[2]));
-        let torque = [x[0] + y[0] + z[0], x[1] + y[1] + z[1], x[2] + y[2] + z[2]];
-        let inv = load3::<L>(&self.inv_rotation, part);
-        let [x, y, z] = into_frame(&edge, &torque);
-        let rotation = out_of_frame(&edge, &[x * inv[0], y * inv[1], z * inv[2]]);
+        // h² times half the angular acceleration.
+        let rotation = self.common_rotation(part, &edge, along);
         let (strain, rigid) = (L::splat_f64(1.0 / STRAIN_INERTIA), L::splat_f64(1.0 - 1.0 / STRAIN_INERTIA));
         for k in 0..3 {
             let rotated = cross(&rotation, &edge[k]);
             for (x, rotated) in along[k].iter_mut().zip(rotated) {
                 *x = strain * *x + rigid * rotated;
+            }
+        }
+    }
+
+    /// Common rotation β of changes x of the edges e, which solves Σ e × x = Σ e × (β × e).
+    #[inline(always)]
+    fn common_rotation<L: Lanes<Scalar = R>>(&self, part: usize, edge: &[[L; 3]; 3], change: &[[L; 3]; 3]) -> [L; 3] {
+        let (x, y, z) = (cross(&edge[0], &change[0]), cross(&edge[1], &change[1]), cross(&edge[2], &change[2]));
+        let torque = [x[0] + y[0] + z[0], x[1] + y[1] + z[1], x[2] + y[2] + z[2]];
+        let inv = load3::<L>(&self.inv_rotation, part);
+        let [x, y, z] = into_frame(edge, &torque);
+        out_of_frame(edge, &[x * inv[0], y * inv[1], z * inv[2]])
+    }
+
+    /// Adds the part of the centripetal acceleration that springs need not give to particles with
+    /// displacements u and velocities v.
+    ///
+    /// A particle without force goes straight, and [`STRAIN_INERTIA`] weakens the springs that turn
+    /// it: a block that spins would be strained eight times too much, with 64 times the energy.
+    #[inline(always)]
+    fn add_centripetal<L: Lanes<Scalar = R>>(
+        &self,
+        part: usize,
+        [u, v]: [&[[L; 3]; PARTICLES]; 2],
+        change: &mut [[L; 3]; PARTICLES],
+    ) {
+        // The sums are four times the changes of the edges.
+        let ((_, moved), (_, mut rate)) = (signed_sums(u), signed_sums(v));
+        let quarter = L::splat_f64(2.0 / PARTICLES as f64);
+        let mut edge = [[L::zero(); 3]; 3];
+        for k in 0..3 {
+            let rest = load3::<L>(&self.edge[k], part);
+            for i in 0..3 {
+                edge[k][i] = rest[i] + moved[k][i] * quarter;
+                rate[k][i] = rate[k][i] * quarter;
+            }
+        }
+        let spin = self.common_rotation(part, &edge, &rate);
+        let inward = [0, 1, 2].map(|k| cross(&spin, &cross(&spin, &edge[k])));
+        // The rotation as a whole has no part in it: the angular momentum stays.
+        let rotation = self.common_rotation(part, &edge, &inward);
+        let half = load::<L>(&self.centripetal, part) * L::splat_f64(0.5);
+        for k in 0..3 {
+            let rotated = cross(&rotation, &edge[k]);
+            for i in 0..3 {
+                let x = half * (inward[k][i] - rotated[i]);
+                for (particle, change) in change.iter_mut().enumerate() {
+                    change[i] = if sign(particle, k) > 0.0 { change[i] + x } else { change[i] - x };
+                }
             }
         }
     }

@@ -4,7 +4,7 @@ use glam::{DMat3, DQuat, DVec3};
 use serde::{Deserialize, Serialize};
 
 use crate::body::Bodies;
-use crate::lattice::affine::{PARTICLES, gradient, rest_position};
+use crate::lattice::affine::{PARTICLES, gradient, mean, outer, rest_position};
 use crate::lattice::springs::{SPRINGS, Springs, ends};
 use crate::report::LatticeReport;
 
@@ -49,23 +49,56 @@ impl Particles {
         LatticeReport { particles: at.map(|at| center + axes * at), forces }
     }
 
-    /// Energy of the springs, J: k (l² - l0²)² / (8 l0²) each, the integral of the force in
-    /// [`report`](Self::report).
-    pub fn energy(&self, half: DVec3, springs: &Springs) -> f64 {
-        (0..SPRINGS)
-            .map(|n| {
-                let (i, j, _) = ends(n);
-                let rest = rest_position(half, j) - rest_position(half, i);
-                let now = rest + self.displacement[j] - self.displacement[i];
-                let (rest, now) = (rest.length_squared(), now.length_squared());
-                springs.stiffness * (now - rest) * (now - rest) / (8.0 * rest)
-            })
-            .sum()
+    /// Particles of a block in a pose of this orientation, after `time` (s) at their velocities.
+    pub fn moved(&self, time: f64, half: DVec3, orientation: DQuat) -> MovedParticles {
+        let inverse = orientation.conjugate();
+        let center = mean(&self.velocity);
+        let velocity = self.velocity.map(|v| inverse * (v - center));
+        let position = std::array::from_fn(|i| rest_position(half, i) + self.displacement[i] + velocity[i] * time);
+        MovedParticles { position, velocity }
     }
 
     /// Stretch S = R⁻¹ F of the block; displacements that are not affine do not contribute.
     pub fn stretch(&self, half: DVec3) -> DMat3 {
         gradient(&self.displacement, half) + DMat3::IDENTITY
+    }
+}
+
+/// Particles of a block about its centre, in the block's frame.
+#[derive(Debug, Clone, Copy)]
+pub struct MovedParticles {
+    /// Positions, m.
+    position: [DVec3; PARTICLES],
+    /// Velocities, m/s.
+    velocity: [DVec3; PARTICLES],
+}
+
+impl MovedParticles {
+    /// Kinetic energies of a block of mass `mass` (kg), J: of its rotation as a whole, and of its
+    /// strain.
+    pub fn kinetic_energy(&self, mass: f64) -> (f64, f64) {
+        let share = mass / PARTICLES as f64;
+        let (mut momentum, mut inertia, mut all) = (DVec3::ZERO, DMat3::ZERO, 0.0);
+        for (x, v) in self.position.iter().zip(&self.velocity) {
+            momentum += share * x.cross(*v);
+            inertia += (DMat3::from_diagonal(DVec3::splat(x.length_squared())) - outer(*x, *x)) * share;
+            all += 0.5 * share * v.length_squared();
+        }
+        let rotation = 0.5 * momentum.dot(inertia.inverse() * momentum);
+        (rotation, (all - rotation).max(0.0))
+    }
+
+    /// Energy of the springs, J: k (l² - l0²)² / (8 l0²) each, the integral of the force in
+    /// [`Particles::report`].
+    pub fn elastic_energy(&self, half: DVec3, springs: &Springs) -> f64 {
+        (0..SPRINGS)
+            .map(|n| {
+                let (i, j, _) = ends(n);
+                let rest = (rest_position(half, j) - rest_position(half, i)).length_squared();
+                let now = (self.position[j] - self.position[i]).length_squared();
+                springs.stiffness * (now - rest) * (now - rest) / (8.0 * rest)
+            })
+            .sum()
     }
 }
 
