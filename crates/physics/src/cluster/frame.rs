@@ -81,7 +81,7 @@ impl Cluster {
         self.energy = energy::entered(self, &frame.derived, frame.gravity, input);
         self.packing.reset(&self.bodies);
         for manifold in self.contacts.manifolds.iter_mut().filter(|manifold| manifold.free_depth > 0.0) {
-            fade(manifold, frame.derived.frame, &self.shapes);
+            fade(manifold, frame.derived.frame, &self.shapes, &self.bodies);
         }
         with_kernel!(self.kernel, |kernel| kernel.resize(self.bodies.len(), frame.derived.h));
     }

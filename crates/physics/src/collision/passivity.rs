@@ -71,20 +71,29 @@ fn free_depth(manifold: &mut Manifold, allowed: f64, negligible: f64) {
     manifold.free_depth = high;
 }
 
-/// Lets the free depth of a manifold fade during `time` (s). The work against the force of the
-/// contact is at most that of lifting the lighter body as fast.
-pub fn fade(manifold: &mut Manifold, time: f64, shapes: &Shapes) {
-    let force = manifold.normal_force();
+/// Lets the free depth of a manifold fade during `time` (s). The energy that this adds to the
+/// springs is at most that of lifting the lighter body as fast as a free depth fades: as the depth
+/// goes at once, stiff springs bear only a part of it.
+pub fn fade(manifold: &mut Manifold, time: f64, shapes: &Shapes, bodies: &Bodies) {
+    let (stiffness, _) = stable_spring(manifold, shapes, bodies);
+    let force = stiffness * manifold.points.iter().map(|p| p.weight * depth(p.gap, manifold.free_depth)).sum::<f64>();
     let weight = lighter_mass(manifold, shapes) * shapes.spring.gravity;
-    let part = if force > weight { weight / force } else { 1.0 };
-    let faded = part * FREE_DEPTH_RATE * thickness(manifold, shapes) * time;
-    manifold.free_depth = (manifold.free_depth - faded).max(0.0);
+    let faded = FREE_DEPTH_RATE * thickness(manifold, shapes) * time;
+    // The root of F x + k x² / 2 = W, without the difference of two large numbers.
+    let work = weight * faded;
+    let root = 2.0 * work / (force + (force * force + 2.0 * stiffness * work).sqrt()).max(f64::MIN_POSITIVE);
+    manifold.free_depth = (manifold.free_depth - root.min(faded)).max(0.0);
+}
+
+/// Depth beyond `free` (m) at a gap (m), m.
+fn depth(gap: f64, free: f64) -> f64 {
+    (-gap - free).max(0.0)
 }
 
 /// Mean square of the depth beyond `free` (m), weighted by stiffness, m².
 fn squared_depth(manifold: &Manifold, free: f64) -> f64 {
-    let depth = |gap: f64| (-gap - free).max(0.0);
-    manifold.points.iter().map(|p| p.weight * depth(p.gap) * depth(p.gap)).sum()
+    let square = |gap| depth(gap, free) * depth(gap, free);
+    manifold.points.iter().map(|p| p.weight * square(p.gap)).sum()
 }
 
 /// Mean square of the Maxwell elements, weighted by stiffness, m².
