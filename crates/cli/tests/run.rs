@@ -2,7 +2,7 @@
 
 mod common;
 
-use common::teeter;
+use common::{teeter, teeter_with};
 use serde_json::Value;
 use teeter_scene::{NAMED, Stability};
 
@@ -18,6 +18,7 @@ fn the_report_has_these_fields() {
         "asleep_at_s",
         "cpu_s",
         "creep_mm",
+        "energy",
         "fell",
         "hash",
         "max_displacement_mm",
@@ -35,6 +36,18 @@ fn the_report_has_these_fields() {
     let hash = report["hash"].as_str().unwrap();
     assert!(hash.len() == 16 && hash.chars().all(|c| c.is_ascii_hexdigit()), "{hash}");
     assert!(report["asleep_at_s"].as_f64().unwrap() < 3.0);
+}
+
+#[test]
+fn a_fall_loses_its_energy_and_gains_none() {
+    let mut scene = teeter_scene::named("block").unwrap();
+    scene.blocks[0].pos[2] += 0.1;
+    let report = teeter_with(&["run", "-", "--seconds", "2", "--json"], scene.to_json().as_bytes()).json();
+    let energy = |name: &str| report["energy"][name].as_f64().unwrap();
+    let height = scene.blocks[0].mass * scene.gravity * 0.1;
+    assert!((energy("lost") / height - 1.0).abs() < 1e-3, "{report}");
+    assert!(energy("put_in") == 0.0 && (0.0..1e-3 * height).contains(&energy("worst_gain")), "{report}");
+    assert_eq!(report["warnings"], serde_json::json!([]));
 }
 
 /// The output of `teeter run` in the README, except for the time, which is that of a machine.

@@ -275,6 +275,13 @@ pub struct BodyForce {
     pub torque: DVec3,
 }
 
+impl BodyForce {
+    /// Power at a velocity of the centre (m/s) and a spin (rad/s), W.
+    pub fn power(&self, (v, w): (DVec3, DVec3)) -> f64 {
+        self.force.dot(v + w.cross(self.arm)) + self.torque.dot(w)
+    }
+}
+
 /// Rotated diagonal tensor, R diag(d) Rᵀ, with the rotation as a quaternion.
 pub fn world_tensor(q: DQuat, d: DVec3) -> DMat3 {
     rotate_tensor(DMat3::from_quat(q), d)

@@ -10,6 +10,7 @@ mod constants;
 mod contact_spring;
 mod derived;
 mod energy;
+mod energy_balance;
 #[doc(hidden)]
 pub mod envelope;
 mod input;
@@ -37,6 +38,7 @@ pub use body_id::BodyId;
 pub use bounded::numbers_within;
 pub use constants::REFERENCE_AREA;
 pub use energy::Energy;
+pub use energy_balance::EnergyBalance;
 pub use input::{AppliedForce, Drive, Grip, Hand, Input};
 pub use params::{Params, Precision, Width};
 pub use pose::{POSE_STRIDE, Pose, Twist};

@@ -37,6 +37,10 @@ pub struct StepReport {
     pub max_speed: f64,
     /// Root mean square of the bodies' speeds at the end, m/s.
     pub rms_speed: f64,
+    /// Energy put in during the step, J: the work of hand, forces and drives on the bodies, what a
+    /// change of gravity adds to their potential energy, and what they do not fall by while gravity
+    /// grows. With [`World::energy`](crate::World::energy) before and after, the remainder was lost.
+    pub put_in: f64,
     /// Bodies frozen during this step, which no longer move: their state was not finite, they were
     /// fast with energy that nobody put in, or faster than 1e4 m/s.
     pub quarantined: Vec<BodyId>,

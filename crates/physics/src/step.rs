@@ -21,11 +21,11 @@ impl World {
     pub fn step(&mut self, input: &Input) -> StepReport {
         let _mode = FloatMode::standard();
         let input = self.sanitise(input);
-        self.wake_targets(&input);
+        let put_in = self.wake_targets(&input);
         self.partition(&input);
         let reports = self.step_clusters(&input);
         self.store_input(&input);
-        self.report(&input, reports)
+        self.report(&input, reports, put_in)
     }
 
     /// Advances by `seconds`, rounded to whole frames and at least one, without input; returns the

@@ -1,5 +1,7 @@
 //! Input and report of a step.
 
+use glam::DVec3;
+
 use crate::actuator::hand::{HandTarget, grasp_point};
 use crate::actuator::limits::{self, shortened};
 use crate::body_id::BodyId;
@@ -51,7 +53,9 @@ impl World {
 
     /// Wakes the bodies that the input acts on, and those that the last one acted on: a hand or
     /// force that lets go changes loads as well.
-    pub(crate) fn wake_targets(&mut self, input: &Input) {
+    ///
+    /// Returns the energy that a change of gravity adds to the bodies, J.
+    pub(crate) fn wake_targets(&mut self, input: &Input) -> f64 {
         let gravity = input.gravity.unwrap_or(self.derived.scene_gravity());
         let mut targets: Vec<BodyId> = input.forces.iter().map(|f| f.body).collect();
         targets.extend(input.drives.iter().map(|d| d.body));
@@ -61,8 +65,13 @@ impl World {
         if gravity != self.gravity {
             targets = self.bodies().collect();
         }
-        self.gravity = gravity;
+        let change = std::mem::replace(&mut self.gravity, gravity) - gravity;
         targets.into_iter().for_each(|body| self.wake(body));
+        if change == DVec3::ZERO {
+            return 0.0;
+        }
+        let movable = self.bodies().filter(|&body| !self.is_immovable(body));
+        movable.map(|body| self.mass(body) * change.dot(self.pose(body).position)).sum()
     }
 
     /// Stores the parts of the input that the next step ramps from.
@@ -72,10 +81,12 @@ impl World {
     }
 
     /// Updates time and poses at the end of a step and returns the report on it.
-    pub(crate) fn report(&mut self, input: &Input, clusters: Vec<ClusterReport>) -> StepReport {
+    ///
+    /// `put_in` is the energy that was put in before the clusters were stepped, J.
+    pub(crate) fn report(&mut self, input: &Input, clusters: Vec<ClusterReport>, put_in: f64) -> StepReport {
         self.time += self.derived.substeps as f64 * self.derived.h;
         self.write_poses();
-        let mut report = StepReport { time: self.time, ..StepReport::default() };
+        let mut report = StepReport { time: self.time, put_in, ..StepReport::default() };
         let mut squares = 0.0;
         for (cluster, part) in self.clusters.list.iter().zip(clusters) {
             report.substeps = report.substeps.max(part.substeps);
@@ -86,6 +97,8 @@ impl World {
             report.touching += points.filter(|p| p.normal_force > 0.0).count() as u32;
             report.awake += (0..cluster.len()).filter(|&i| cluster.bodies.is_active(i)).count() as u32;
             report.penetration = report.penetration.max(part.penetration);
+            // The forces on a body that is frozen may be no numbers.
+            report.put_in += if part.work.is_finite() { part.work } else { 0.0 };
             for v in &cluster.bodies.velocity {
                 squares += v.length_squared();
                 report.max_speed = report.max_speed.max(v.length());

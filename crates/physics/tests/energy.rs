@@ -3,9 +3,9 @@
 mod common;
 
 use common::*;
-use glam::DQuat;
+use glam::{DQuat, DVec3};
 use proptest::prelude::*;
-use teeter_physics::{BodyId, Input, Params, World};
+use teeter_physics::{AppliedForce, BodyId, Drive, EnergyBalance, Hand, Input, Params, World};
 use teeter_scene::{Block, CardsOptions, Form, Scene};
 
 /// Largest growth of the energy in a frame over `seconds`, over the energy at the start.
@@ -104,4 +104,52 @@ fn the_energy_of_an_impact_is_seen_at_one_time() {
         // It bounced, and bore all of the energy on its springs.
         assert!(elastic > 0.5 * start && world.twist(BodyId(0)).velocity.z > 0.9, "{form:?}: {elastic} of {start}");
     }
+}
+
+/// Largest difference between the work put in and the change of the energy, over the work, in a
+/// world that loses nothing.
+fn imbalance(world: &mut World, frames: usize, input: impl Fn(usize) -> Input) -> f64 {
+    let start = world.energy().total();
+    let put_in: f64 = (0..frames).map(|frame| world.step(&input(frame)).put_in).sum();
+    (world.energy().total() - start - put_in).abs() / put_in.abs()
+}
+
+#[test]
+fn the_work_of_inputs_is_the_energy_of_a_free_block() {
+    let body = BodyId(0);
+    for form in [Form::Rigid, Form::Lattice] {
+        let mut scene = Scene { form, ..one() };
+        scene.blocks[0].pos[2] = 5.0;
+        scene.springs.stiffness = Some(1e7);
+        let build = || World::new(&scene, awake()).unwrap();
+        let force = AppliedForce { body, point: DVec3::new(0.01, 0.01, 0.0), force: DVec3::new(0.1, 0.3, 0.5) };
+        let error = imbalance(&mut build(), 20, |_| Input::force(force));
+        assert!(error < 2e-3, "force, {form:?}: {error:e}");
+        let drive = Drive::new(body, DVec3::new(0.3, 0.0, 0.4)).with_max_force(1.0);
+        let error = imbalance(&mut build(), 20, |_| Input { drives: vec![drive], ..Input::default() });
+        assert!(error < 2e-3, "drive, {form:?}: {error:e}");
+        let target = |frame| DVec3::new(4e-3 * frame as f64, 0.0, 5.0 + 2e-3 * frame as f64);
+        let hand = |frame| Hand::carry(body, DVec3::new(0.0, 0.0, 0.005), target(frame), DQuat::IDENTITY);
+        let error = imbalance(&mut build(), 20, |frame| Input::hand(hand(frame)));
+        assert!(error < 2e-3, "hand, {form:?}: {error:e}");
+        let gravity = |frame| DVec3::new(0.0, 0.3 * frame as f64, -G);
+        let error = imbalance(&mut build(), 20, |frame| Input::gravity(gravity(frame)));
+        assert!(error < 1e-6, "gravity, {form:?}: {error:e}");
+    }
+}
+
+#[test]
+fn pushing_a_block_over_the_floor_puts_in_what_friction_takes() {
+    let mut world = World::new(&one(), awake()).unwrap();
+    let drive = Drive::new(BodyId(0), DVec3::X * 0.1).with_max_force(1.0);
+    let mut balance = EnergyBalance::new(&world);
+    for _ in 0..60 {
+        let report = world.step(&Input { drives: vec![drive], ..Input::default() });
+        balance.record(&world, &report);
+    }
+    let friction = 0.4 * MASS * G * position(&world, 0).x;
+    let kinetic = 0.5 * MASS * 0.01;
+    assert!((balance.put_in() / (friction + kinetic) - 1.0).abs() < 0.01, "{balance:?}");
+    assert!((balance.lost() / friction - 1.0).abs() < 0.01, "{balance:?}");
+    assert!(balance.worst_share() < 1e-4, "{balance:?}");
 }

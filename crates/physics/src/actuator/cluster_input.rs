@@ -30,6 +30,15 @@ pub struct Actuators {
     pub drives: Vec<DriveController>,
 }
 
+impl Actuators {
+    /// Work on the bodies in a batch of substeps of `h` (s), J; `twist` returns the velocity and
+    /// spin of a body at its end (m/s, rad/s).
+    pub fn work(&self, h: f64, twist: impl Fn(usize) -> (DVec3, DVec3)) -> f64 {
+        let hand = self.hand.iter().map(|hand| hand.work.at_end(h, twist(hand.body())));
+        hand.chain(self.drives.iter().map(|drive| drive.work.at_end(h, twist(drive.body())))).sum()
+    }
+}
+
 impl ClusterInput {
     /// Splits an input by cluster. `target` and `previous` are hand and forces at the end of the
     /// last step; `locations` holds the cluster of each body and its index there.

@@ -3,6 +3,7 @@
 use glam::{DMat3, DVec3};
 
 use crate::actuator::limits;
+use crate::actuator::work::Work;
 use crate::body::{Bodies, BodyForce, Shapes};
 use crate::input::Drive;
 
@@ -18,6 +19,8 @@ pub struct DriveController {
     inertia: DMat3,
     max_force: f64,
     max_torque: f64,
+    /// Work on the body.
+    pub work: Work,
 }
 
 impl DriveController {
@@ -32,6 +35,7 @@ impl DriveController {
             inertia: bodies.inertia(shapes, i),
             max_force,
             max_torque: (max_force * shapes.radius[i]).min(limits::max_torque(shapes, i)),
+            work: Work::default(),
         }
     }
 
@@ -41,10 +45,12 @@ impl DriveController {
     }
 
     /// Force in a substep of `h` (s) on the body with velocity `v` (m/s) and spin `w` (rad/s).
-    pub fn force(&self, h: f64, (v, w): (DVec3, DVec3)) -> BodyForce {
+    pub fn force(&mut self, h: f64, (v, w): (DVec3, DVec3)) -> BodyForce {
         let rate = 1.0 / (RESPONSE_SUBSTEPS * h);
         let force = (self.mass * rate * (self.velocity - v)).clamp_length_max(self.max_force);
         let torque = (self.inertia * w * -rate).clamp_length_max(self.max_torque);
-        BodyForce { force, arm: DVec3::ZERO, torque }
+        let force = BodyForce { force, arm: DVec3::ZERO, torque };
+        self.work.add(h, force, (v, w));
+        force
     }
 }

@@ -3,6 +3,7 @@
 use glam::{DMat3, DQuat, DVec3};
 
 use crate::actuator::limits;
+use crate::actuator::work::Work;
 use crate::body::{Bodies, BodyForce, Shapes, rotated, rotation_between};
 use crate::body_id::BodyId;
 use crate::constants::{HAND_LIFT, HAND_RATE, HAND_ROTATION_RATE};
@@ -33,6 +34,8 @@ pub struct HandController {
     max_torque: f64,
     /// Force and torque in the last substep.
     pub report: HandReport,
+    /// Work on the body.
+    pub work: Work,
 }
 
 /// Target of a hand: position of the grasp point, and orientation of the body.
@@ -114,6 +117,7 @@ impl HandController {
             max_force: hand.max_force.min(limits::max_force(shapes, i)),
             max_torque: hand.max_torque.min(limits::max_torque(shapes, i)),
             report: HandReport { point, ..HandReport::default() },
+            work: Work::default(),
         }
     }
 
@@ -145,7 +149,9 @@ impl HandController {
             }
         }
         self.report = HandReport { force: f, torque, capped, torque_capped, point: self.report.point };
-        BodyForce { force: f, arm: self.arm, torque }
+        let force = BodyForce { force: f, arm: self.arm, torque };
+        self.work.add(h, force, (v, w));
+        force
     }
 
     /// Limits the force of the spring (N) to what the grip allows; the second result is true if the

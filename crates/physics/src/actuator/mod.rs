@@ -4,3 +4,4 @@ pub mod cluster_input;
 pub mod drive;
 pub mod hand;
 pub mod limits;
+pub mod work;

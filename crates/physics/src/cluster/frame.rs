@@ -13,6 +13,7 @@ use crate::collision::passivity::fade;
 use crate::constants::{MIN_SWEEP, SYNC_SHARE, SYNC_TIME};
 use crate::derived::Derived;
 use crate::kernel::any_kernel::with_kernel;
+use crate::kernel::body_model::BodyDelta;
 use crate::kernel::contact_law::ContactLaw;
 use crate::kernel::packing::PackInput;
 use crate::kernel::sync_set::SyncSet;
@@ -71,6 +72,8 @@ pub struct ClusterReport {
     pub penetration: f64,
     /// Indices in the cluster of the bodies quarantined.
     pub quarantined: Vec<u32>,
+    /// Work of the input on the bodies, J.
+    pub work: f64,
     /// Force and torque of the hand, if it holds a body of the cluster.
     pub hand: Option<HandReport>,
 }
@@ -174,6 +177,7 @@ impl Cluster {
         let done =
             with_kernel!(self.kernel, |kernel| kernel.run(&ContactLaw::new(law), batch.substeps, &mut actuators));
         report.substeps += done as u32;
+        report.work += with_kernel!(self.kernel, |kernel| actuators.work(law.h, |i| kernel.twist(i)));
         report.hand = actuators.hand.map(|hand| hand.report);
         done
     }
@@ -252,6 +256,7 @@ impl Cluster {
         }
         self.packing.travel_budget[i] -= delta.displacement.length() + delta.rotation.length() * self.shapes.radius[i];
         self.packing.rotation_budget[i] -= delta.rotation.length();
+        report.work += self.load_work(frame, i, &delta);
         match (&delta.particles, self.particles.get_mut(i)) {
             (Some(moved), Some(particles)) => {
                 let flight = ballistic.then_some((delta.displacement, delta.velocity));
@@ -260,6 +265,17 @@ impl Cluster {
             }
             _ => sync::advance_rigid(&self.shapes, &mut self.bodies, i, &delta, time),
         }
+    }
+
+    /// Work on body `i` of its load beyond its full weight, J: of applied forces, and of what
+    /// gravity lacks during the ramp.
+    fn load_work(&self, frame: &Frame, i: usize, delta: &BodyDelta) -> f64 {
+        let (force, torque) = self.packing.load[i];
+        // As for actuators: the mean of the velocities before and after each substep counts.
+        let lag = if self.packing.ballistic[i] { 0.0 } else { 0.5 * frame.derived.h };
+        let displacement = delta.displacement + lag * (delta.velocity - self.bodies.velocity[i]);
+        let rotation = delta.rotation + lag * (delta.spin - self.bodies.spin[i]);
+        (force - self.shapes.mass[i] * frame.gravity).dot(displacement) + torque.dot(rotation)
     }
 
     /// Detects the contacts of synced bodies that have left their margins.

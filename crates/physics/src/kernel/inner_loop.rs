@@ -162,7 +162,7 @@ impl<R: Real, B: BodyModel<R>> Kernel<R, B> {
             let force = hand.force(self.h, self.twist(i));
             self.add_force(i, &force);
         }
-        for drive in &actuators.drives {
+        for drive in &mut actuators.drives {
             let i = drive.body();
             let force = drive.force(self.h, self.twist(i));
             self.add_force(i, &force);

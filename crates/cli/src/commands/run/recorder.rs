@@ -1,14 +1,16 @@
 //! Measurements while a world runs.
 
-use teeter_physics::{StepReport, World};
+use teeter_physics::{EnergyBalance, StepReport, World};
 use teeter_scene::Scene;
 use teeter_study::{Cuboid, Footing, ReferencePositions, max_height, scene_height};
 
-use super::report::Report;
+use super::report::{EnergyReport, Report};
 use crate::warnings::Warnings;
 
 /// Time from which on creep counts, s: before, the tower settles.
 const CREEP_FROM: f64 = 2.0;
+/// Gain of a frame over the energy available from which a run is doubtful.
+const MAX_GAIN: f64 = 1e-3;
 
 /// Measurements while a world runs.
 pub struct Recorder {
@@ -24,6 +26,7 @@ pub struct Recorder {
     penetration: f64,
     rms_speed: f64,
     asleep_at_s: Option<f64>,
+    energy: EnergyBalance,
 }
 
 impl Recorder {
@@ -40,6 +43,7 @@ impl Recorder {
             penetration: 0.0,
             rms_speed: 0.0,
             asleep_at_s: None,
+            energy: EnergyBalance::new(world),
         }
     }
 
@@ -52,12 +56,24 @@ impl Recorder {
         self.displacement = self.displacement.max(self.start.max_displacement(world));
         self.penetration = self.penetration.max(step.penetration);
         self.rms_speed = step.rms_speed;
+        self.energy.record(world, step);
         self.asleep_at_s = if step.awake == 0 { self.asleep_at_s.or(Some(step.time)) } else { None };
         match &self.settled {
             Some(settled) => self.creep = Some(self.creep.unwrap_or(0.0).max(settled.max_displacement(world))),
             None if step.time >= CREEP_FROM - 1e-9 => self.settled = Some(ReferencePositions::of(world)),
             None => {}
         }
+    }
+
+    /// Returns a warning about a frame that gained energy.
+    pub fn energy_warning(&self) -> Option<String> {
+        let share = self.energy.worst_share();
+        let gain = self.energy.worst_gain();
+        (share > MAX_GAIN).then(|| {
+            format!(
+                "a frame gained {gain:.1e} J that nobody put in, up to {share:.1e} of the energy: results are doubtful"
+            )
+        })
     }
 
     /// Returns the report at the end of a run.
@@ -72,6 +88,11 @@ impl Recorder {
             sink_mm: 1e3 * (self.top - max_height(world)),
             penetration_mm: 1e3 * self.penetration,
             rms_speed: self.rms_speed,
+            energy: EnergyReport {
+                put_in: self.energy.put_in(),
+                lost: self.energy.lost(),
+                worst_gain: self.energy.worst_gain(),
+            },
             cpu_s,
             simulated_s: world.time(),
             hash: format!("{:016x}", world.hash()),

@@ -24,6 +24,8 @@ pub struct Report {
     pub penetration_mm: f64,
     /// Root mean square over all blocks at the end, m/s.
     pub rms_speed: f64,
+    /// Energies of the run.
+    pub energy: EnergyReport,
     /// Processor time of the steps, s.
     pub cpu_s: f64,
     /// Simulated time, s.
@@ -34,6 +36,17 @@ pub struct Report {
     pub asleep_at_s: Option<f64>,
     /// Warnings, which are printed besides.
     pub warnings: Warnings,
+}
+
+/// Energies of a run, J.
+#[derive(Debug, Serialize)]
+pub struct EnergyReport {
+    /// Work of the inputs, and what changes of gravity add.
+    pub put_in: f64,
+    /// Energy lost by friction, impacts and damping.
+    pub lost: f64,
+    /// Largest energy that a frame gained although nobody put it in.
+    pub worst_gain: f64,
 }
 
 impl Report {

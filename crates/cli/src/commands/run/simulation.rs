@@ -67,6 +67,9 @@ impl<'a> Simulation<'a> {
             };
             self.warnings.add(&format!("{changes} after the end of the run, the first at {} s", first.time));
         }
+        if let Some(warning) = self.recorder.energy_warning() {
+            self.warnings.add(&warning);
+        }
         if let Some(mut out) = out {
             let end = self.world.to_scene();
             if let Err(error) = end.validate() {
