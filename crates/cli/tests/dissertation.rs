@@ -29,6 +29,44 @@ fn parts_of_the_report() {
     assert_eq!(page.matches("data:image/png;base64,iVBOR").count(), 3);
 }
 
+/// Constants of an ini file change the figures of a part, which names them. A part of an earlier run
+/// keeps the note of its own.
+#[test]
+fn a_report_has_the_constants_of_an_ini_file() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("soft.ini");
+    let file = path.to_str().unwrap();
+    let report = |part: &str, options: &[&str]| {
+        let base = ["dissertation", "report", "--out", folder.path().to_str().unwrap(), "--only", part];
+        let done = teeter(&[&base, options].concat());
+        assert_eq!((done.code, done.err.as_str()), (0, ""));
+        std::fs::read_to_string(folder.path().join("index.html")).unwrap()
+    };
+    std::fs::write(&path, "[Springs]\nstiffness = 5000\n").unwrap();
+    let page = report("fewer-springs", &["--ini", file]);
+    let note = "With constants other than the defaults: stiffness = 5000 N/m (default 10000).";
+    assert_eq!(page.matches(note).count(), 1, "{page}");
+    let with_default = report("step-size", &[]);
+    assert_eq!(with_default.matches("other than the defaults").count(), 1);
+    assert!(with_default.contains("<td>30</td><td>104</td>"), "{with_default}");
+    let figures = |page: &str| {
+        let section = page.split("<section id=\"fewer-springs\">").nth(1).unwrap();
+        section.split("</section>").next().unwrap().split("</thead>").nth(1).unwrap().to_owned()
+    };
+    let default = report("fewer-springs", &[]);
+    assert_ne!(figures(&default), figures(&page));
+    assert!(!default.contains("other than the defaults"), "{default}");
+    for (text, part) in [
+        ("[Simulation]\nframe_rate = 30", "`frame_rate` is 30, expected 60"),
+        ("[Springs]\nstiffness = 0", "soft.ini, line 2: `stiffness` is 0, expected a number from 1"),
+    ] {
+        std::fs::write(&path, text).unwrap();
+        let done = teeter(&["dissertation", "report", "--out", folder.path().to_str().unwrap(), "--ini", file]);
+        assert!(done.error_line().contains(part), "{}", done.err);
+    }
+    assert_eq!(std::fs::read_to_string(folder.path().join("index.html")).unwrap(), default);
+}
+
 #[test]
 fn bad_input_ends_with_one_line() {
     let folder = tempfile::tempdir().unwrap();

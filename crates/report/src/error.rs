@@ -42,6 +42,9 @@ pub enum Error {
     /// Labelled towers that cannot be read.
     #[error(transparent)]
     Labelled(#[from] LabelledError),
+    /// Frame rate of the 2003 method that is not that of the report, 1/s.
+    #[error("`frame_rate` is {0}, expected 60: the report compares frames of 1/60 s")]
+    FrameRate(f64),
     /// Name of no built-in scene.
     #[error("there is no scene `{0}`")]
     UnknownScene(String),

@@ -9,6 +9,7 @@ use std::path::PathBuf;
 
 use clap::builder::PossibleValuesParser;
 use clap::{Args, Subcommand};
+use teeter_dissertation::jenga3d::Constants;
 use teeter_report::dissertation::{part_names, write};
 
 use crate::error::Error;
@@ -38,6 +39,10 @@ struct Report {
     /// Part to run [default: all]; can be repeated.
     #[arg(long, value_name = "PART", value_parser = PossibleValuesParser::new(part_names()))]
     only: Vec<String>,
+    /// File of constants of 2003, as `teeter dissertation run --write-ini` writes it; `-` for
+    /// standard input.
+    #[arg(long, value_name = "FILE")]
+    ini: Option<PathBuf>,
 }
 
 impl Dissertation {
@@ -53,7 +58,11 @@ impl Dissertation {
 impl Report {
     /// Writes the report and prints the path of its page.
     fn run(self) -> Result<(), Error> {
-        let path = write(&self.out, &self.only)?;
+        let mut constants = Constants::default();
+        if let Some(path) = &self.ini {
+            constants::apply_ini(&mut constants, path)?;
+        }
+        let path = write(&self.out, &self.only, &constants)?;
         output::line(&path.display().to_string())
     }
 }

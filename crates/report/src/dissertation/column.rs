@@ -8,8 +8,9 @@ use super::springs::Springs;
 use super::tower::Tower;
 use crate::error::Error;
 
-/// Builds the tower of a scene.
-pub type Build = fn(&Scene) -> Result<Tower, Error>;
+/// Builds the tower of a scene with the constants of 2003. The engine takes gravity and friction from
+/// them, so that all columns have the same.
+pub type Build = fn(&Scene, &Constants) -> Result<Tower, Error>;
 
 /// Column of the report.
 #[derive(Clone, Copy)]
@@ -25,11 +26,11 @@ pub struct Column {
 
 /// Columns, the dissertation's method first.
 pub const COLUMNS: &[Column] = &[
-    Column { name: "2003 method", build: springs, awake: springs },
+    Column { name: "2003 method", build: springs, awake: springs_awake },
     Column {
         name: "2003 with 6.3",
-        build: |scene| with_future_work(scene, Constants::default().rest_time),
-        awake: |scene| with_future_work(scene, NEVER),
+        build: |scene, constants| springs(scene, &with_future_work(constants)),
+        awake: |scene, constants| springs_awake(scene, &with_future_work(constants)),
     },
     ENGINE[0],
     ENGINE[1],
@@ -39,13 +40,13 @@ pub const COLUMNS: &[Column] = &[
 pub const ENGINE: [Column; 2] = [
     Column {
         name: "lattice",
-        build: |scene| engine(scene, Form::Lattice, true),
-        awake: |scene| engine(scene, Form::Lattice, false),
+        build: |scene, constants| engine(scene, constants, Form::Lattice, true),
+        awake: |scene, constants| engine(scene, constants, Form::Lattice, false),
     },
     Column {
         name: "rigid",
-        build: |scene| engine(scene, Form::Rigid, true),
-        awake: |scene| engine(scene, Form::Rigid, false),
+        build: |scene, constants| engine(scene, constants, Form::Rigid, true),
+        awake: |scene, constants| engine(scene, constants, Form::Rigid, false),
     },
 ];
 
@@ -57,17 +58,35 @@ pub fn headings<const N: usize>(first: [&'static str; N]) -> impl Iterator<Item 
     first.into_iter().chain(COLUMNS.iter().map(|column| column.name))
 }
 
-fn springs(scene: &Scene) -> Result<Tower, Error> {
-    Ok(Tower::new(Springs::new(scene, Constants::default())?))
+fn springs(scene: &Scene, constants: &Constants) -> Result<Tower, Error> {
+    Ok(Tower::new(Springs::new(scene, constants.clone())?))
 }
 
-/// Adds the future work of section 6.3: static friction, and rest by rigid motion over a time, s.
-fn with_future_work(scene: &Scene, rest_time: f64) -> Result<Tower, Error> {
-    let constants =
-        Constants { static_friction: Some(0.4), disabling: Disabling::Rigid, rest_time, ..Constants::default() };
-    Ok(Tower::new(Springs::new(scene, constants)?))
+fn springs_awake(scene: &Scene, constants: &Constants) -> Result<Tower, Error> {
+    springs(scene, &Constants { rest_time: NEVER, ..constants.clone() })
 }
 
-fn engine(scene: &Scene, form: Form, sleep: bool) -> Result<Tower, Error> {
-    Ok(Tower::new(Engine::new(scene, form, sleep)?))
+/// Adds the future work of section 6.3: rest by rigid motion over a time, and static friction, as
+/// large as the kinetic one where the constants have none.
+fn with_future_work(constants: &Constants) -> Constants {
+    let static_friction = constants.static_friction.or(Some(constants.friction));
+    Constants { static_friction, disabling: Disabling::Rigid, ..constants.clone() }
+}
+
+fn engine(scene: &Scene, constants: &Constants, form: Form, sleep: bool) -> Result<Tower, Error> {
+    Ok(Tower::new(Engine::new(&with_material(scene, constants), form, sleep)?))
+}
+
+/// Scene with the gravity and friction of the constants.
+fn with_material(scene: &Scene, constants: &Constants) -> Scene {
+    let kinetic = kinetic_friction(constants);
+    let friction = constants.static_friction.filter(|_| constants.friction_enabled).unwrap_or(kinetic);
+    let kinetic_friction = (kinetic < friction).then_some(kinetic);
+    Scene { gravity: constants.gravity, friction, kinetic_friction, ..scene.clone() }
+}
+
+/// Coefficient of the friction of a sliding block.
+pub fn kinetic_friction(constants: &Constants) -> f64 {
+    let max = constants.static_friction.unwrap_or(f64::INFINITY);
+    if constants.friction_enabled { constants.friction.min(max) } else { 0.0 }
 }

@@ -5,7 +5,7 @@ use rayon::prelude::*;
 use teeter_dissertation::jenga3d::{Constants, Disabling};
 use teeter_scene::{Scene, TowerOptions, tower};
 
-use super::column::{Build, COLUMNS, ENGINE};
+use super::column::{Build, ENGINE};
 use super::part::Inputs;
 use super::picture::{self, Highlight};
 use super::springs::Springs;
@@ -23,14 +23,19 @@ const FRAMES: usize = 30;
 /// Height of the pictures, m.
 const HEIGHT: f64 = 0.11;
 
-fn by_rigid_motion(scene: &Scene) -> Result<Tower, Error> {
-    let constants = Constants { disabling: Disabling::Rigid, ..Constants::default() };
+fn by_listed_rule(scene: &Scene, constants: &Constants) -> Result<Tower, Error> {
+    let constants = Constants { disabling: Disabling::Listed, ..constants.clone() };
+    Ok(Tower::new(Springs::new(scene, constants)?))
+}
+
+fn by_rigid_motion(scene: &Scene, constants: &Constants) -> Result<Tower, Error> {
+    let constants = Constants { disabling: Disabling::Rigid, ..constants.clone() };
     Ok(Tower::new(Springs::new(scene, constants)?))
 }
 
 /// Row and picture of a rule.
-fn measure(scene: &Scene, name: &str, build: Build) -> Result<(Vec<String>, Markup), Error> {
-    let mut tower = build(scene)?;
+fn measure(scene: &Scene, constants: &Constants, (name, build): (&str, Build)) -> Result<(Vec<String>, Markup), Error> {
+    let mut tower = build(scene, constants)?;
     tower.rest(SETTLING);
     let counts: Vec<usize> = (0..FRAMES)
         .map(|_| {
@@ -45,17 +50,17 @@ fn measure(scene: &Scene, name: &str, build: Build) -> Result<(Vec<String>, Mark
 }
 
 /// Counts disabled blocks.
-pub fn run(Inputs { bar, .. }: Inputs) -> Result<Markup, Error> {
+pub fn run(Inputs { constants, bar, .. }: Inputs) -> Result<Markup, Error> {
     let scene = tower(&TowerOptions { rows: 6, ..TowerOptions::default() })?;
     let mut cases: Vec<(String, Build)> = vec![
-        ("2003 method, its rule (appendix 2.5)".into(), COLUMNS[0].build),
-        ("2003 method, by rigid motion over a quarter of a second".into(), by_rigid_motion),
+        ("2003 method, its rule (appendix 2.5)".into(), by_listed_rule),
+        (format!("2003 method, by rigid motion over {} s", constants.rest_time), by_rigid_motion),
     ];
     cases.extend(ENGINE.iter().map(|column| (format!("engine, {}: asleep", column.name), column.build)));
     let results: Vec<(Vec<String>, Markup)> = cases
         .par_iter()
         .map(|(name, build)| {
-            let result = measure(&scene, name, *build);
+            let result = measure(&scene, constants, (name, *build));
             bar.inc(1);
             result
         })

@@ -28,9 +28,9 @@ const ROWS: u32 = 6;
 const SECONDS: f64 = 2.0;
 
 /// Row of a set of springs.
-fn measure((springs, name): (SpringSet, &str)) -> Result<Vec<String>, Error> {
+fn measure(constants: &Constants, (springs, name): (SpringSet, &str)) -> Result<Vec<String>, Error> {
     let scene = tower(&TowerOptions { rows: ROWS, ..TowerOptions::default() })?;
-    let mut tower = Tower::new(Springs::new(&scene, Constants { springs, ..Constants::default() })?);
+    let mut tower = Tower::new(Springs::new(&scene, Constants { springs, ..constants.clone() })?);
     let start = tower.centres();
     tower.rest((SECONDS * FRAME_RATE) as u32);
     let moved = tower.centres().iter().zip(&start).map(|(now, start)| now.distance(*start)).fold(0.0, f64::max);
@@ -40,11 +40,11 @@ fn measure((springs, name): (SpringSet, &str)) -> Result<Vec<String>, Error> {
 }
 
 /// Lets a tower of blocks with each set of springs settle.
-pub fn run(Inputs { bar, .. }: Inputs) -> Result<Markup, Error> {
+pub fn run(Inputs { constants, bar, .. }: Inputs) -> Result<Markup, Error> {
     let rows: Vec<Vec<String>> = SETS
         .par_iter()
         .map(|set| {
-            let row = measure(*set);
+            let row = measure(constants, *set);
             bar.inc(1);
             row
         })

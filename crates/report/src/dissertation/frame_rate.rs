@@ -3,6 +3,7 @@
 use cpu_time::ThreadTime;
 use indicatif::ProgressBar;
 use maud::{Markup, html};
+use teeter_dissertation::jenga3d::Constants;
 use teeter_scene::{TowerOptions, tower};
 
 use super::column::{COLUMNS, Column, headings};
@@ -33,9 +34,9 @@ const WITH_FUTURE_WORK: usize = 1;
 
 /// Frame rate of a tower that never rests on one core, frames per second. A frame covers 1/60 s of
 /// simulated time.
-pub fn frame_rate(column: &Column, rows: u32) -> Result<f64, Error> {
+pub fn frame_rate(column: &Column, constants: &Constants, rows: u32) -> Result<f64, Error> {
     let scene = tower(&TowerOptions { rows, ..TowerOptions::default() })?;
-    let mut tower = (column.awake)(&scene)?;
+    let mut tower = (column.awake)(&scene, constants)?;
     tower.rest(SETTLING);
     Ok(rate(&mut tower))
 }
@@ -53,9 +54,9 @@ fn rate(tower: &mut Tower) -> f64 {
 }
 
 /// Number of disabled blocks of a tower at rest, and its frame rate, frames per second.
-fn at_rest(rows: u32) -> Result<[f64; 2], Error> {
+fn at_rest(constants: &Constants, rows: u32) -> Result<[f64; 2], Error> {
     let scene = tower(&TowerOptions { rows, ..TowerOptions::default() })?;
-    let mut tower = (COLUMNS[WITH_FUTURE_WORK].build)(&scene)?;
+    let mut tower = (COLUMNS[WITH_FUTURE_WORK].build)(&scene, constants)?;
     let disabled = |tower: &Tower| (0..tower.len()).filter(|block| tower.is_resting(*block)).count();
     let mut frames = 0;
     while frames < MAX_REST && disabled(&tower) < tower.len() {
@@ -96,16 +97,16 @@ fn table(series: &[Series]) -> Table {
 
 /// Measures the frame rates of all columns at all heights, then those at rest with the number of
 /// disabled blocks before each.
-pub fn clock(bar: &ProgressBar) -> Result<Vec<f64>, Error> {
+pub fn clock(constants: &Constants, bar: &ProgressBar) -> Result<Vec<f64>, Error> {
     let mut measured = Vec::new();
     for column in COLUMNS {
         for rows in ROWS {
-            measured.push(frame_rate(column, rows)?);
+            measured.push(frame_rate(column, constants, rows)?);
             bar.inc(1);
         }
     }
     for rows in RESTING_ROWS {
-        measured.extend(at_rest(rows)?);
+        measured.extend(at_rest(constants, rows)?);
         bar.inc(1);
     }
     Ok(measured)

@@ -1,6 +1,6 @@
 //! List of the parts of the report.
 
-use super::part::Part;
+use super::part::{Part, Usage};
 use super::{
     disabled, fewer_springs, frame_rate, moves, plane_methods, requirements, rounds, soft_springs, static_tests,
     step_size, table_5_2,
@@ -14,6 +14,7 @@ pub const PARTS: &[Part] = &[
         steps: table_5_2::STEPS,
         clock: None,
         moves: false,
+        constants: Usage::Varies(&["listed_boxes", "culling", "skip_unchanged", "disabling"]),
         run: table_5_2::counts,
     },
     Part {
@@ -22,6 +23,7 @@ pub const PARTS: &[Part] = &[
         steps: table_5_2::CULLING_STEPS,
         clock: Some(table_5_2::time_culling),
         moves: false,
+        constants: Usage::Varies(&["listed_boxes", "culling", "skip_unchanged"]),
         run: table_5_2::culling,
     },
     Part {
@@ -30,6 +32,7 @@ pub const PARTS: &[Part] = &[
         steps: static_tests::STEPS,
         clock: None,
         moves: false,
+        constants: Usage::All,
         run: static_tests::run,
     },
     Part {
@@ -38,6 +41,7 @@ pub const PARTS: &[Part] = &[
         steps: moves::SPEED_STEPS,
         clock: None,
         moves: true,
+        constants: Usage::All,
         run: moves::run,
     },
     Part {
@@ -46,6 +50,7 @@ pub const PARTS: &[Part] = &[
         steps: rounds::STEPS,
         clock: None,
         moves: true,
+        constants: Usage::Varies(&["order", "disabling"]),
         run: rounds::run,
     },
     Part {
@@ -54,6 +59,7 @@ pub const PARTS: &[Part] = &[
         steps: soft_springs::STEPS,
         clock: None,
         moves: false,
+        constants: Usage::Varies(&["stiffness", "damping"]),
         run: soft_springs::run,
     },
     Part {
@@ -62,6 +68,7 @@ pub const PARTS: &[Part] = &[
         steps: disabled::STEPS,
         clock: None,
         moves: false,
+        constants: Usage::Varies(&["disabling"]),
         run: disabled::run,
     },
     Part {
@@ -70,6 +77,7 @@ pub const PARTS: &[Part] = &[
         steps: frame_rate::STEPS,
         clock: Some(frame_rate::clock),
         moves: false,
+        constants: Usage::All,
         run: frame_rate::run,
     },
     Part {
@@ -78,6 +86,7 @@ pub const PARTS: &[Part] = &[
         steps: step_size::STEPS,
         clock: None,
         moves: false,
+        constants: Usage::All,
         run: step_size::run,
     },
     Part {
@@ -86,6 +95,7 @@ pub const PARTS: &[Part] = &[
         steps: fewer_springs::STEPS,
         clock: None,
         moves: false,
+        constants: Usage::Varies(&["springs"]),
         run: fewer_springs::run,
     },
     Part {
@@ -94,6 +104,7 @@ pub const PARTS: &[Part] = &[
         steps: plane_methods::STEPS,
         clock: None,
         moves: false,
+        constants: Usage::Nothing,
         run: plane_methods::run,
     },
     Part {
@@ -102,6 +113,7 @@ pub const PARTS: &[Part] = &[
         steps: requirements::STEPS,
         clock: Some(requirements::clock),
         moves: true,
+        constants: Usage::All,
         run: requirements::run,
     },
 ];

@@ -12,22 +12,22 @@ use super::tower::{FRAME_RATE, Tower};
 use crate::error::Error;
 use crate::table::Table;
 
-/// Stiffness of the springs, N/m: the default, and softer ones.
-const STIFFNESSES: [f64; 3] = [1e4, 1e3, 4e2];
+/// Factors by which the springs are softer.
+const SOFTER: [f64; 3] = [1.0, 10.0, 25.0];
 /// Rows of the tower.
 const ROWS: u32 = 18;
 /// Number of experiments.
-pub const STEPS: u64 = STIFFNESSES.len() as u64;
+pub const STEPS: u64 = SOFTER.len() as u64;
 /// Height of the pictures, m.
 const HEIGHT: f64 = 0.33;
 
-/// Row and picture of a tower after a second on springs of a stiffness, N/m.
-fn measure(scene: &Scene, stiffness: f64) -> Result<(Vec<String>, Markup), Error> {
-    let default = Constants::default();
-    let damping = default.damping * (stiffness / default.stiffness).sqrt();
+/// Row and picture of a tower after a second on springs that are softer by a factor.
+fn measure(scene: &Scene, constants: &Constants, softer: f64) -> Result<(Vec<String>, Markup), Error> {
+    let stiffness = constants.stiffness / softer;
+    let damping = constants.damping * (stiffness / constants.stiffness).sqrt();
     // The rows begin apart, and fall onto each other before they press.
-    let gaps = f64::from(ROWS) * default.row_spacing;
-    let mut tower = Tower::new(Springs::new(scene, Constants { stiffness, damping, ..default })?);
+    let gaps = f64::from(ROWS) * constants.row_spacing;
+    let mut tower = Tower::new(Springs::new(scene, Constants { stiffness, damping, ..constants.clone() })?);
     let full = tower.top(|_| true) - gaps;
     tower.rest(FRAME_RATE as u32);
     let sink = full - tower.top(|_| true);
@@ -36,12 +36,12 @@ fn measure(scene: &Scene, stiffness: f64) -> Result<(Vec<String>, Markup), Error
 }
 
 /// Lets full towers sink.
-pub fn run(Inputs { bar, .. }: Inputs) -> Result<Markup, Error> {
+pub fn run(Inputs { constants, bar, .. }: Inputs) -> Result<Markup, Error> {
     let scene = tower(&TowerOptions { rows: ROWS, ..TowerOptions::default() })?;
-    let results: Vec<(Vec<String>, Markup)> = STIFFNESSES
+    let results: Vec<(Vec<String>, Markup)> = SOFTER
         .par_iter()
-        .map(|&stiffness| {
-            let result = measure(&scene, stiffness);
+        .map(|&softer| {
+            let result = measure(&scene, constants, softer);
             bar.inc(1);
             result
         })

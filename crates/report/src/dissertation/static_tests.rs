@@ -2,6 +2,7 @@
 
 use maud::{Markup, html};
 use rayon::prelude::*;
+use teeter_dissertation::jenga3d::Constants;
 use teeter_scene::named;
 use teeter_study::{Cuboid, Footing};
 
@@ -43,9 +44,14 @@ pub struct Outcome {
 ///
 /// # Errors
 /// When there is no scene `name`, or it cannot be built.
-pub fn outcome(column: &Column, name: &str, mut observe: impl FnMut(&Tower)) -> Result<Outcome, Error> {
+pub fn outcome(
+    column: &Column,
+    constants: &Constants,
+    name: &str,
+    mut observe: impl FnMut(&Tower),
+) -> Result<Outcome, Error> {
     let scene = named(name).ok_or_else(|| Error::UnknownScene(name.to_owned()))?;
-    let mut tower = (column.build)(&scene)?;
+    let mut tower = (column.build)(&scene, constants)?;
     let start = cuboids(&tower);
     observe(&tower);
     tower.rest((SECONDS * FRAME_RATE) as u32);
@@ -62,9 +68,9 @@ fn cuboids(tower: &Tower) -> Vec<Cuboid> {
 }
 
 /// Outcome of a test in a column, with its two pictures.
-fn run_one(column: &Column, scene: &str) -> Result<(Outcome, Markup), Error> {
+fn run_one(column: &Column, constants: &Constants, scene: &str) -> Result<(Outcome, Markup), Error> {
     let (mut pictures, mut times) = (Vec::new(), ["at the start", "after 5 s"].into_iter());
-    let outcome = outcome(column, scene, |tower| {
+    let outcome = outcome(column, constants, scene, |tower| {
         let caption = format!("{}, {}", column.name, times.next().unwrap_or_default());
         pictures.push(picture::figure(tower, HEIGHT, Highlight::None, &caption));
     })?;
@@ -72,13 +78,13 @@ fn run_one(column: &Column, scene: &str) -> Result<(Outcome, Markup), Error> {
 }
 
 /// Runs all tests.
-pub fn run(Inputs { bar, .. }: Inputs) -> Result<Markup, Error> {
+pub fn run(Inputs { constants, bar, .. }: Inputs) -> Result<Markup, Error> {
     let jobs: Vec<(&str, &Column)> =
         TESTS.iter().flat_map(|test| COLUMNS.iter().map(|column| (test.0, column))).collect();
     let results: Vec<(Outcome, Markup)> = jobs
         .par_iter()
         .map(|(scene, column)| {
-            let result = run_one(column, scene);
+            let result = run_one(column, constants, scene);
             bar.inc(1);
             result
         })

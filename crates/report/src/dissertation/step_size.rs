@@ -25,9 +25,9 @@ const SECONDS: f64 = 2.0;
 const APART: f64 = 0.5;
 
 /// Row of a frame rate: the loops a frame stay as they are, so each takes as much longer.
-fn measure(frame_rate: f64) -> Result<Vec<String>, Error> {
+fn measure(constants: &Constants, frame_rate: f64) -> Result<Vec<String>, Error> {
     let scene = tower(&TowerOptions { rows: ROWS, ..TowerOptions::default() })?;
-    let constants = Constants { frame_rate, ..Constants::default() };
+    let constants = Constants { frame_rate, ..constants.clone() };
     let force_step = constants.force_step();
     let row = |result: String| vec![format!("{frame_rate:.0}"), format!("{:.0}", 1e6 * force_step), result];
     let mut tower = match Springs::new(&scene, constants) {
@@ -51,16 +51,16 @@ fn measure(frame_rate: f64) -> Result<Vec<String>, Error> {
 }
 
 /// Lets a tower settle with each step.
-pub fn run(Inputs { bar, .. }: Inputs) -> Result<Markup, Error> {
+pub fn run(Inputs { constants, bar, .. }: Inputs) -> Result<Markup, Error> {
     let rows: Vec<Vec<String>> = RATES
         .par_iter()
         .map(|rate| {
-            let row = measure(*rate);
+            let row = measure(constants, *rate);
             bar.inc(1);
             row
         })
         .collect::<Result<_, Error>>()?;
-    let loops = Constants::default().mid_loop_count;
+    let loops = constants.mid_loop_count;
     Ok(html! {
         p {
             "A step that is \"proportional to the length of time the last frame took\" keeps \

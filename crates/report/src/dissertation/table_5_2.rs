@@ -53,9 +53,14 @@ fn settled(rows: u32, constants: Constants) -> Result<Jenga3D, Error> {
 }
 
 /// Counts of a step, both calls of `CollideBlocks` in full: mean over a frame.
-fn counts_of(rows: u32, listed_boxes: bool) -> Result<[f64; 5], Error> {
-    let constants =
-        Constants { listed_boxes, skip_unchanged: false, disabling: Disabling::Off, ..Constants::default() };
+fn counts_of(constants: &Constants, rows: u32, listed_boxes: bool) -> Result<[f64; 5], Error> {
+    let constants = Constants {
+        listed_boxes,
+        culling: Culling::Planes,
+        skip_unchanged: false,
+        disabling: Disabling::Off,
+        ..constants.clone()
+    };
     let mut simulator = settled(rows, constants)?;
     let steps = simulator.constants.mid_loop_count;
     let mut sums = [0u64; 5];
@@ -68,12 +73,12 @@ fn counts_of(rows: u32, listed_boxes: bool) -> Result<[f64; 5], Error> {
 }
 
 /// Counts the tests of each level, beside the printed table.
-pub fn counts(Inputs { bar, .. }: Inputs) -> Result<Markup, Error> {
+pub fn counts(Inputs { constants, bar, .. }: Inputs) -> Result<Markup, Error> {
     let cases: Vec<(u32, bool)> = ROWS.iter().flat_map(|rows| READINGS.map(|(_, listed)| (*rows, listed))).collect();
     let counted: Vec<[f64; 5]> = cases
         .par_iter()
         .map(|&(rows, listed)| {
-            let counts = counts_of(rows, listed);
+            let counts = counts_of(constants, rows, listed);
             bar.inc(1);
             counts
         })
@@ -90,7 +95,7 @@ pub fn counts(Inputs { bar, .. }: Inputs) -> Result<Markup, Error> {
              printed. Here the two are the calls of " code { "CollideBlocks" } " in a step; a loop \
              over the pairs in both orders would give the same. The printed second line is exactly \
              nine pairs for each two neighbouring rows. The counts of this \
-             implementation are means over 160 steps of a tower that has settled for half a \
+             implementation are means over the " (constants.mid_loop_count) " steps of a frame of a tower that has settled for half a \
              second; blocks of one row have their boxes 0.3 mm apart, and count once they have \
              moved together."
         }
@@ -102,7 +107,7 @@ pub fn counts(Inputs { bar, .. }: Inputs) -> Result<Markup, Error> {
              times as many tests are left as there are collisions. The text has \"about 4-5 \
              times\", its table " (printed_per_collision) ". Corrected, the boxes leave \
              " (listed.corrected) " of the tests as listed. The collisions are the same except for \
-             corners that pass a face by less than 0.1 µm. The rest of the difference is the same \
+             corners that pass a face by less than " (micrometres(constants.tolerance)) " µm. The rest of the difference is the same \
              in all three lines: how often touching blocks collide, which depends on constants \
              that the text does not give."
         }
@@ -149,6 +154,11 @@ impl Ratios {
     }
 }
 
+/// Length (m) in µm.
+fn micrometres(length: f64) -> f64 {
+    (1e9 * length).round() / 1e3
+}
+
 fn range(values: &[f64]) -> String {
     let (min, max) = values.iter().fold((f64::INFINITY, 0.0f64), |(min, max), v| (min.min(*v), max.max(*v)));
     format!("{min:.2} to {max:.2}")
@@ -159,10 +169,10 @@ fn list(values: &[f64]) -> String {
 }
 
 /// Times a step with each level of culling, s.
-pub fn time_culling(bar: &ProgressBar) -> Result<Vec<f64>, Error> {
+pub fn time_culling(constants: &Constants, bar: &ProgressBar) -> Result<Vec<f64>, Error> {
     let mut times = Vec::new();
     for (culling, listed_boxes, _) in LEVELS {
-        let mut simulator = settled(6, Constants { skip_unchanged: false, listed_boxes, ..Constants::default() })?;
+        let mut simulator = settled(6, Constants { skip_unchanged: false, listed_boxes, ..constants.clone() })?;
         simulator.constants.culling = culling;
         let steps = if culling < Culling::Boxes { 40 } else { 640 };
         let clock = ThreadTime::now();

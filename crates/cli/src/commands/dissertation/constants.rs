@@ -1,6 +1,6 @@
 //! Arguments that set the constants of 2003.
 
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 use clap::Args;
 use clap::builder::PossibleValuesParser;
@@ -63,6 +63,12 @@ fn names(names: &[&'static str], aliases: &[(&'static str, &'static str)]) -> Po
     }))
 }
 
+/// Sets the constants that a file sets; `-` is standard input.
+pub fn apply_ini(constants: &mut Constants, path: &Path) -> Result<(), Error> {
+    let (text, name) = input::text(path, MAX_INI_BYTES)?;
+    constants.apply_ini(&text).map_err(|source| Error::Ini { name, source })
+}
+
 impl ConstantArguments {
     /// Returns the constants for a scene.
     pub fn constants(&self, scene: Option<&Scene>) -> Result<Constants, Error> {
@@ -72,8 +78,7 @@ impl ConstantArguments {
             constants.friction = scene.kinetic_friction.unwrap_or(scene.friction);
         }
         if let Some(path) = &self.ini {
-            let (text, name) = input::text(path, MAX_INI_BYTES)?;
-            constants.apply_ini(&text).map_err(|source| Error::Ini { name, source })?;
+            apply_ini(&mut constants, path)?;
         }
         for (name, value) in self.options()? {
             constants.set(&name, &value)?;

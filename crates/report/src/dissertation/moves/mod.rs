@@ -7,6 +7,7 @@ mod speeds;
 use indicatif::ProgressBar;
 use maud::{Markup, html};
 use rayon::prelude::*;
+use teeter_dissertation::jenga3d::Constants;
 use teeter_dissertation::jenga3d::counters::Rounds;
 
 use player::Move::{self, Put, Take};
@@ -121,18 +122,18 @@ pub fn moves() -> [Move; STEPS_OF_SECTION.len()] {
 ///
 /// # Errors
 /// When the tower cannot be built.
-pub fn play_columns(bar: &ProgressBar) -> Result<Vec<Played>, Error> {
-    COLUMNS.par_iter().map(|column| play_column(column, bar)).collect()
+pub fn play_columns(constants: &Constants, bar: &ProgressBar) -> Result<Vec<Played>, Error> {
+    COLUMNS.par_iter().map(|column| play_column(column, constants, bar)).collect()
 }
 
 /// Plays the moves in one column.
 ///
 /// # Errors
 /// When the tower cannot be built.
-pub fn play_column(column: &Column, bar: &ProgressBar) -> Result<Played, Error> {
+pub fn play_column(column: &Column, constants: &Constants, bar: &ProgressBar) -> Result<Played, Error> {
     let mut played =
         Played { outcomes: Vec::new(), pictures: Vec::new(), max_depth: 0.0, rounds: Rounds::default(), frames: 0 };
-    play(column, &moves(), |tower, outcome| {
+    play(column, constants, &moves(), |tower, outcome| {
         let caption = format!("{}, after move {}", column.name, played.outcomes.len() + 1);
         played.pictures.push(picture::figure(tower, HEIGHT, Highlight::None, &caption));
         played.outcomes.push(outcome);
@@ -171,7 +172,7 @@ pub fn run(inputs: Inputs) -> Result<Markup, Error> {
         }
         p {
             "All columns get the same targets: where the hand wants the block, frame by frame. What \
-             follows them is each method's own hand. That of 2003 is a spring of 40 N/m on the \
+             follows them is each method's own hand. That of 2003 is a spring of " (inputs.constants.hand_stiffness) " N/m on the \
              centre while the block touches anything, without a limit, and writes the velocity in \
              the air. It cannot turn a block or keep it from turning. The engine's has a limited \
              force and keeps the orientation of the block."
@@ -187,8 +188,9 @@ pub fn run(inputs: Inputs) -> Result<Markup, Error> {
 
 /// Moves of all columns, played once for all tests.
 #[cfg(test)]
-pub static PLAYED: std::sync::LazyLock<Vec<Played>> =
-    std::sync::LazyLock::new(|| play_columns(&ProgressBar::hidden()).expect("the moves are played"));
+pub static PLAYED: std::sync::LazyLock<Vec<Played>> = std::sync::LazyLock::new(|| {
+    play_columns(&Constants::default(), &ProgressBar::hidden()).expect("the moves are played")
+});
 
 #[cfg(test)]
 mod tests {
@@ -197,7 +199,7 @@ mod tests {
 
     fn outcomes(column: &Column, moves: &[Move]) -> Vec<Outcome> {
         let mut outcomes = Vec::new();
-        play(column, moves, |_, outcome| outcomes.push(outcome)).expect("the moves are played");
+        play(column, &Constants::default(), moves, |_, outcome| outcomes.push(outcome)).expect("the moves are played");
         let stands = outcomes.len() == STEPS_OF_SECTION.len() && outcomes.iter().all(|outcome| outcome.stands);
         assert!(stands, "{}: {outcomes:?}", column.name);
         outcomes

@@ -1,6 +1,7 @@
 //! Player of the moves: takes blocks out of a tower and lays or drops them on top.
 
 use glam::DVec3;
+use teeter_dissertation::jenga3d::Constants;
 use teeter_scene::{BlockPreset, named};
 
 use crate::dissertation::backend::Grasp;
@@ -44,10 +45,15 @@ pub enum Move {
 ///
 /// # Errors
 /// When the tower cannot be built.
-pub fn play(column: &Column, moves: &[Move], mut observe: impl FnMut(&Tower, Outcome)) -> Result<(), Error> {
+pub fn play(
+    column: &Column,
+    constants: &Constants,
+    moves: &[Move],
+    mut observe: impl FnMut(&Tower, Outcome),
+) -> Result<(), Error> {
     let scene = named(SCENE).ok_or_else(|| Error::UnknownScene(SCENE.to_owned()))?;
     let blocks = (0..6).map(|row| [0, 1, 2].map(|column| Some(3 * row + column))).collect();
-    let mut player = Player { tower: (column.build)(&scene)?, blocks, held: None };
+    let mut player = Player { tower: (column.build)(&scene, constants)?, blocks, held: None };
     player.tower.rest(SETTLING);
     for &next in moves {
         let outcome = player.play(next);

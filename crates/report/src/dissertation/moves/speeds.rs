@@ -2,9 +2,10 @@
 
 use maud::{Markup, html};
 use rayon::prelude::*;
+use teeter_dissertation::jenga3d::Constants;
 
 use super::player::{Move, play};
-use crate::dissertation::column::ENGINE;
+use crate::dissertation::column::{ENGINE, kinetic_friction};
 use crate::dissertation::length::mm;
 use crate::dissertation::part::Inputs;
 use crate::error::Error;
@@ -16,35 +17,35 @@ const SPEEDS: [f64; 4] = [2.0, 1.5, 1.0, 0.3];
 pub const STEPS: u64 = (SPEEDS.len() * ENGINE.len()) as u64;
 /// Length of a block, m.
 const LENGTH: f64 = 0.081;
-/// Acceleration of what lies on a block that bears half of its weight, m/s²: μ g / 2.
-const ACCELERATION: f64 = 0.5 * 0.4 * 9.81;
 
 /// Displacement by the last of the moves at a speed (m/s), as text.
-fn measure(column: usize, moves: &[Move], speed: f64) -> Result<String, Error> {
+fn measure(column: usize, constants: &Constants, moves: &[Move], speed: f64) -> Result<String, Error> {
     let mut played = moves.to_vec();
     if let Some(Move::Take(_, _, of_move)) = played.last_mut() {
         *of_move = speed;
     }
     let mut cell = String::new();
-    play(&ENGINE[column], &played, |_, outcome| {
+    play(&ENGINE[column], constants, &played, |_, outcome| {
         cell = if outcome.stands { mm(outcome.max_displacement) } else { "falls".to_owned() };
     })?;
     Ok(cell)
 }
 
 /// Plays moves with the engine, the last of them at each speed.
-pub fn run(Inputs { bar, .. }: Inputs, moves: &[Move]) -> Result<Markup, Error> {
+pub fn run(Inputs { constants, bar, .. }: Inputs, moves: &[Move]) -> Result<Markup, Error> {
     let cases: Vec<(f64, usize)> =
         SPEEDS.iter().flat_map(|speed| (0..ENGINE.len()).map(|column| (*speed, column))).collect();
     let cells: Vec<String> = cases
         .par_iter()
         .map(|&(speed, column)| {
-            let cell = measure(column, moves, speed);
+            let cell = measure(column, constants, moves, speed);
             bar.inc(1);
             cell
         })
         .collect::<Result<_, Error>>()?;
-    let estimate = |speed: f64| 0.5 * ACCELERATION * (LENGTH / speed) * (LENGTH / speed);
+    // Of what lies on a block that bears half of its weight.
+    let acceleration = 0.5 * kinetic_friction(constants) * constants.gravity;
+    let estimate = |speed: f64| 0.5 * acceleration * (LENGTH / speed) * (LENGTH / speed);
     let row = |(speed, cells): (&f64, &[String])| {
         [speed.to_string(), mm(estimate(*speed))].into_iter().chain(cells.iter().cloned()).collect()
     };

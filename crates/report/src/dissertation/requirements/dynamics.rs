@@ -4,14 +4,10 @@ use glam::DVec3;
 
 use super::subject::{Answer, Subject};
 use crate::dissertation::backend::Grasp;
+use crate::dissertation::column::kinetic_friction;
 use crate::dissertation::length::mm;
 use crate::dissertation::tower::FRAME_RATE;
 use crate::error::Error;
-
-/// Gravitational acceleration, m/s².
-const G: f64 = 9.81;
-/// Coefficient of friction.
-const FRICTION: f64 = 0.4;
 
 /// 2.1: acceleration of a block that the hand has let go.
 pub fn gravity(subject: &Subject) -> Result<Answer, Error> {
@@ -30,7 +26,7 @@ pub fn gravity(subject: &Subject) -> Result<Answer, Error> {
     });
     let time = f64::from(span) / FRAME_RATE;
     let g = -(heights[0] - 2.0 * heights[1] + heights[2]) / (time * time);
-    Ok(Answer::new((g / G - 1.0).abs() < 0.02, format!("a block falls with {g:.2} m/s²")))
+    Ok(Answer::new((g / subject.constants.gravity - 1.0).abs() < 0.02, format!("a block falls with {g:.2} m/s²")))
 }
 
 /// 2.2: a sliding block stops after v² / (2 µ g), and a tower at rest does not creep.
@@ -39,9 +35,10 @@ pub fn friction(subject: &Subject) -> Result<Answer, Error> {
     tower.rest(60);
     let start = tower.centre(0).x;
     let speed = 0.4;
+    let deceleration = kinetic_friction(subject.constants) * subject.constants.gravity;
     tower.set_velocity(0, speed * DVec3::X);
     tower.rest(60);
-    let (slid, expected) = (tower.centre(0).x - start, speed * speed / (2.0 * FRICTION * G));
+    let (slid, expected) = (tower.centre(0).x - start, speed * speed / (2.0 * deceleration));
     let mut six = subject.build_rows(6)?;
     six.rest(120);
     let before = six.centres();

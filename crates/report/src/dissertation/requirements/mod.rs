@@ -10,6 +10,7 @@ mod subject;
 use indicatif::ProgressBar;
 use maud::{Markup, html};
 use rayon::prelude::*;
+use teeter_dissertation::jenga3d::Constants;
 
 use super::column::{COLUMNS, headings};
 use super::frame_rate::frame_rate;
@@ -59,11 +60,11 @@ const REQUIREMENTS: [Requirement; 16] = [
 pub const STEPS: u64 = ((REQUIREMENTS.len() + ROWS.len()) * COLUMNS.len()) as u64;
 
 /// Measures the frame rates of all columns, those of a column in turn, frames per second.
-pub fn clock(bar: &ProgressBar) -> Result<Vec<f64>, Error> {
+pub fn clock(constants: &Constants, bar: &ProgressBar) -> Result<Vec<f64>, Error> {
     let cases = COLUMNS.iter().flat_map(|column| ROWS.map(|rows| (column, rows)));
     cases
         .map(|(column, rows)| {
-            let rate = frame_rate(column, rows);
+            let rate = frame_rate(column, constants, rows);
             bar.inc(1);
             rate
         })
@@ -71,9 +72,10 @@ pub fn clock(bar: &ProgressBar) -> Result<Vec<f64>, Error> {
 }
 
 /// Examines all columns.
-pub fn run(Inputs { bar, times, played }: Inputs) -> Result<Markup, Error> {
+pub fn run(Inputs { constants, bar, times, played }: Inputs) -> Result<Markup, Error> {
     let columns = COLUMNS.iter().zip(played).zip(times.chunks(ROWS.len()));
-    let subjects: Vec<Subject> = columns.map(|((column, moves), rates)| Subject { column, moves, rates }).collect();
+    let subjects: Vec<Subject> =
+        columns.map(|((column, moves), rates)| Subject { column, constants, moves, rates }).collect();
     let jobs: Vec<(&Requirement, &Subject)> =
         REQUIREMENTS.iter().flat_map(|requirement| subjects.iter().map(move |s| (requirement, s))).collect();
     let answers: Vec<Answer> = jobs
@@ -101,20 +103,29 @@ pub fn run(Inputs { bar, times, played }: Inputs) -> Result<Markup, Error> {
 
 #[cfg(test)]
 mod tests {
+    use std::sync::LazyLock;
+
     use glam::{DQuat, DVec3};
     use teeter_scene::Scene;
 
     use super::super::backend::{Backend, FrameReport, Grasp};
     use super::super::column::Column;
     use super::super::moves::PLAYED;
+    use super::super::played::Played;
     use super::super::tower::{FRAME_RATE, Tower};
     use super::subject::Judgement;
     use super::*;
 
+    static DEFAULT: LazyLock<Constants> = LazyLock::new(Constants::default);
+
+    fn subject<'a>(column: &'static Column, moves: &'a Played) -> Subject<'a> {
+        Subject { column, constants: &DEFAULT, moves, rates: &[] }
+    }
+
     /// Checks that exactly these columns do not meet a requirement.
     fn all_meet_except(number: &str, columns: &[&str]) {
         let requirement = REQUIREMENTS.iter().find(|r| r.number == number).expect("there is such a requirement");
-        let subjects = COLUMNS.iter().zip(PLAYED.iter()).map(|(column, moves)| Subject { column, moves, rates: &[] });
+        let subjects = COLUMNS.iter().zip(PLAYED.iter()).map(|(column, moves)| subject(column, moves));
         let answers: Vec<Answer> =
             subjects.map(|subject| (requirement.experiment)(&subject).expect("the experiment runs")).collect();
         assert!(answers.iter().all(|answer| answer.judgement != Judgement::NotJudged), "{answers:?}");
@@ -132,7 +143,7 @@ mod tests {
     fn requirements_without_an_experiment_are_not_judged() {
         for number in ["1.4", "3.3"] {
             let requirement = REQUIREMENTS.iter().find(|r| r.number == number).expect("there is such a requirement");
-            let subject = Subject { column: &COLUMNS[0], moves: &PLAYED[0], rates: &[] };
+            let subject = subject(&COLUMNS[0], &PLAYED[0]);
             let answer = (requirement.experiment)(&subject).expect("there is an answer");
             assert_eq!(answer.judgement, Judgement::NotJudged, "{number}");
         }
@@ -182,12 +193,12 @@ mod tests {
 
     #[test]
     fn blocks_that_pass_through_others_do_not_meet_the_requirement() {
-        fn ghosts(scene: &Scene) -> Result<Tower, Error> {
+        fn ghosts(scene: &Scene, _: &Constants) -> Result<Tower, Error> {
             let velocities = vec![DVec3::ZERO; scene.blocks.len()];
             Ok(Tower::new(Ghost { scene: scene.clone(), velocities }))
         }
         static GHOST: Column = Column { name: "ghost", build: ghosts, awake: ghosts };
-        let subject = Subject { column: &GHOST, moves: &PLAYED[0], rates: &[] };
+        let subject = subject(&GHOST, &PLAYED[0]);
         let answer = penetration::no_passing(&subject).expect("the experiment runs");
         assert_eq!(answer.judgement, Judgement::NotMet);
         // The hand moves to the middle of a block, half its height from its faces.

@@ -7,7 +7,7 @@ use crate::error::Error;
 fn answer(subject: &Subject, scenes: &[&str], stable: bool) -> Result<Answer, Error> {
     let mut wrong = Vec::new();
     for scene in scenes {
-        if outcome(subject.column, scene, |_| {})?.stands != stable {
+        if outcome(subject.column, subject.constants, scene, |_| {})?.stands != stable {
             wrong.push(*scene);
         }
     }

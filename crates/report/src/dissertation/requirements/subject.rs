@@ -1,5 +1,6 @@
 //! Column under examination, and answers to requirements.
 
+use teeter_dissertation::jenga3d::Constants;
 use teeter_scene::{Scene, TowerOptions, named, tower};
 
 use crate::dissertation::column::Column;
@@ -54,6 +55,8 @@ impl Answer {
 pub struct Subject<'a> {
     /// Column.
     pub column: &'static Column,
+    /// Constants of the 2003 method.
+    pub constants: &'a Constants,
     /// Twelve moves.
     pub moves: &'a Played,
     /// Frame rates of towers of [`ROWS`] rows on this machine, frames per second.
@@ -70,7 +73,7 @@ impl Subject<'_> {
     /// # Errors
     /// When the scene is not valid.
     pub fn build(&self, scene: &Scene) -> Result<Tower, Error> {
-        (self.column.build)(scene)
+        (self.column.build)(scene, self.constants)
     }
 
     /// Builds a scene of the list.
