@@ -29,8 +29,8 @@ fn parts_of_the_report() {
     assert_eq!(page.matches("data:image/png;base64,iVBOR").count(), 3);
 }
 
-/// Constants of an ini file change the figures of a part, which names them. A part of an earlier run
-/// keeps the note of its own.
+/// Constants of an ini file change the figures of a part, which names them. A part of an earlier
+/// run keeps the note of its own.
 #[test]
 fn a_report_has_the_constants_of_an_ini_file() {
     let folder = tempfile::tempdir().unwrap();

@@ -8,8 +8,8 @@ use super::springs::Springs;
 use super::tower::Tower;
 use crate::error::Error;
 
-/// Builds the tower of a scene with the constants of 2003. The engine takes gravity and friction from
-/// them, so that all columns have the same.
+/// Builds the tower of a scene with the constants of 2003. The engine takes gravity and friction
+/// from them, so that all columns have the same.
 pub type Build = fn(&Scene, &Constants) -> Result<Tower, Error>;
 
 /// Column of the report.

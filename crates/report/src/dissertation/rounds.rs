@@ -103,14 +103,14 @@ pub fn run(Inputs { constants, bar, played, .. }: Inputs) -> Result<Markup, Erro
              " (limit) " rounds, with collisions left."
         }
         (Table::new(head, rows))
-        (verdict(constants.disabling, [&played[0].rounds, &never_disabled.rounds, &played[1].rounds]))
+        (answer(constants.disabling, [&played[0].rounds, &never_disabled.rounds, &played[1].rounds]))
         (orders(&settled))
     })
 }
 
 /// Answer to the claim, from the rounds of the method under a rule of disabling, of the same with
 /// nothing disabled, and with 6.3.
-fn verdict(rule: Disabling, [with_rule, never_disabled, with_future_work]: [&Rounds; 3]) -> Markup {
+fn answer(rule: Disabling, [with_rule, never_disabled, with_future_work]: [&Rounds; 3]) -> Markup {
     let is_to_blame = rule == Disabling::Listed && with_rule.unresolved > 0 && never_disabled.unresolved == 0;
     let outcome = |rounds: &Rounds| match rounds.unresolved {
         0 => format!("no collision is left, within {} rounds", rounds.max),
@@ -183,21 +183,21 @@ mod tests {
     #[test]
     fn disabling_is_blamed_only_where_collisions_are_left_with_it_alone() {
         let left = |unresolved| Rounds { unresolved, max: 4, ..Rounds::default() };
-        let verdict = |rule, counts: [u64; 3]| {
+        let answer = |rule, counts: [u64; 3]| {
             let [a, b, c] = counts.map(left);
-            verdict(rule, [&a, &b, &c]).into_string()
+            answer(rule, [&a, &b, &c]).into_string()
         };
-        let text = verdict(Disabling::Listed, [5, 0, 0]);
+        let text = answer(Disabling::Listed, [5, 0, 0]);
         assert!(
             text.contains("appendix 2.5 is why") && text.contains("nothing disabled no collision is left, within 4")
         );
         for (rule, counts) in
             [(Disabling::Off, [5, 0, 0]), (Disabling::Listed, [0, 0, 0]), (Disabling::Listed, [5, 2, 0])]
         {
-            let text = verdict(rule, counts);
+            let text = answer(rule, counts);
             assert!(!text.contains("is why"), "{rule:?} {counts:?}: {text}");
         }
-        assert!(verdict(Disabling::Listed, [5, 2, 0]).contains("nothing disabled 2 calls end with collisions left"));
+        assert!(answer(Disabling::Listed, [5, 2, 0]).contains("nothing disabled 2 calls end with collisions left"));
     }
 
     /// Runs of steps with collisions left, and those of them that the second call began.

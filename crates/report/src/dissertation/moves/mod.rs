@@ -197,8 +197,8 @@ mod tests {
     use super::super::column::ENGINE;
     use super::*;
 
-    /// Letters of the twelve moves in a column: L like the real tower, F further than it, X where it
-    /// falls, and a dash where it fell before.
+    /// Letters of the twelve moves in a column: L like the real tower, F further than it, X where
+    /// it falls, and a dash where it fell before.
     fn letters(played: &Played) -> String {
         let letter = |(n, step): (usize, &Step)| match played.outcomes.get(n) {
             None => '-',
@@ -209,8 +209,8 @@ mod tests {
         STEPS_OF_SECTION.iter().enumerate().map(letter).collect()
     }
 
-    /// The method of 2003 drags its tower along in the first move and loses it in the eighth; with its
-    /// future work the tower stands all twelve.
+    /// The method of 2003 drags its tower along in the first move and loses it in the eighth; with
+    /// its future work the tower stands all twelve.
     #[test]
     fn each_column_stands_and_falls_in_its_moves() {
         let found: Vec<(&str, String)> =
