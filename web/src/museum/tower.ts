@@ -1,6 +1,7 @@
 // The tower in the museum: that of 2003, the engine's, or both, with the stage and the hand of the
 // game.
 
+import { followGraphics } from '../app/graphics';
 import { listenToKeys } from '../app/shortcuts';
 import { Stage } from '../app/stage';
 import { initialPlay } from '../app/state';
@@ -82,6 +83,7 @@ export class Tower {
     this.subscribe();
     this.listen(frame);
     this.run();
+    followGraphics(stage, this.notice);
     this.inspect = createTowerInspect({
       store,
       stage,

@@ -1,9 +1,10 @@
-// The page in a real browser whose graphics are taken away and given back, and with an engine that
-// takes long.
+// The page and the museum in a real browser whose graphics are taken away and given back, and the
+// page with an engine that takes long.
 
 import type { Page } from 'playwright-core';
 import { afterAll, beforeAll, expect, test } from 'vitest';
 import { contrast, host, Session, SMALL, type Host } from './browser';
+import * as museum from './museum-page';
 
 let chrome: Host;
 beforeAll(async () => {
@@ -55,6 +56,22 @@ test('a lost WebGL context is reported, and the same picture comes back, also of
   await notice(page, true);
   await context(page, 'restoreContext');
   await notice(page, false);
+  expect(await page.locator('#trouble').isHidden()).toBe(true);
+});
+
+test('the museum reports a lost WebGL context, and draws its paused tower again', async () => {
+  await using session = await museum.open(chrome, museum.SMALL);
+  const { page } = session;
+  await museum.simulate(page, 0.3);
+  await page.click('#pause');
+  const middle = [0.35, 0.3, 0.3, 0.5];
+  const before = await contrast(page, '#picture', middle);
+  expect(before).toBeGreaterThan(10);
+  await context(page, 'loseContext');
+  expect(await notice(page, true)).toBe('The graphics were interrupted. The tower comes back in a moment.');
+  await context(page, 'restoreContext');
+  await notice(page, false);
+  await expect.poll(() => contrast(page, '#picture', middle), { timeout: 60_000 }).toBeGreaterThan(0.9 * before);
   expect(await page.locator('#trouble').isHidden()).toBe(true);
 });
 
