@@ -1,0 +1,171 @@
+//! MP4 films: H.264 video.
+
+use std::io::Write;
+
+use muxide::api::{Muxer, MuxerBuilder, VideoCodec};
+use openh264::encoder::{
+    Complexity, Encoder, EncoderConfig, FrameRate, FrameType, IntraFramePeriod, QpRange, RateControlMode, UsageType,
+    VuiConfig,
+};
+use openh264::formats::YUVSlices;
+use openh264::{OpenH264API, Timestamp};
+
+use super::error::FilmError;
+use super::limits::{MIN_MP4_SIDE, MP4_SIDES};
+use crate::picture::{Picture, Size};
+
+/// Quantizer, the same for each picture: 0 is lossless, 51 the coarsest.
+const QUANTIZER: u8 = 20;
+/// Time between pictures that do not depend on others, to which players jump, s.
+const INTRA_PERIOD: f64 = 2.0;
+
+/// Checks that a film can have a size: pairs of pixels share their hue.
+pub fn check(size: Size) -> Result<(), FilmError> {
+    let Size { width, height } = size;
+    let even = width.is_multiple_of(2) && height.is_multiple_of(2);
+    let (long, short) = (width.max(height), width.min(height));
+    let valid = even && short >= MIN_MP4_SIDE && long <= MP4_SIDES.0 && short <= MP4_SIDES.1;
+    if valid { Ok(()) } else { Err(FilmError::Size(size)) }
+}
+
+/// MP4 film.
+pub struct Mp4<W: Write> {
+    encoder: Encoder,
+    muxer: Muxer<W>,
+    fps: f64,
+    /// Pictures added.
+    count: u32,
+}
+
+impl<W: Write> Mp4<W> {
+    /// Begins a film of `fps` pictures a second.
+    pub fn new(file: W, size: Size, fps: f64) -> Result<Self, FilmError> {
+        let config = EncoderConfig::new()
+            .usage_type(UsageType::CameraVideoNonRealTime)
+            .complexity(Complexity::High)
+            .max_frame_rate(FrameRate::from_hz(fps as f32))
+            .rate_control_mode(RateControlMode::Off)
+            .qp(QpRange::new(QUANTIZER, QUANTIZER))
+            .skip_frames(false)
+            .adaptive_quantization(false)
+            .background_detection(false)
+            .intra_frame_period(IntraFramePeriod::from_num_frames((INTRA_PERIOD * fps).ceil() as u32))
+            // More threads would cut the picture into slices, and change the bytes.
+            .num_threads(1)
+            .vui(VuiConfig::bt709());
+        let encoder = Encoder::with_api_config(OpenH264API::from_source(), config).map_err(failed)?;
+        let muxer = MuxerBuilder::new(file)
+            .video(VideoCodec::H264, size.width, size.height, fps)
+            .with_fast_start(true)
+            .build()
+            .map_err(failed)?;
+        Ok(Self { encoder, muxer, fps, count: 0 })
+    }
+
+    /// Adds a picture.
+    pub fn add(&mut self, picture: &Picture) -> Result<(), FilmError> {
+        let time = f64::from(self.count) / self.fps;
+        self.count += 1;
+        let planes = Planes::new(picture);
+        let timestamp = Timestamp::from_millis((1e3 * time) as u64);
+        let stream = self.encoder.encode_at(&planes.slices(), timestamp).map_err(failed)?;
+        let intra = matches!(stream.frame_type(), FrameType::IDR | FrameType::I);
+        self.muxer.write_video(time, &stream.to_vec(), intra).map_err(failed)
+    }
+
+    /// Writes the rest and returns the file.
+    pub fn finish(mut self) -> Result<W, FilmError> {
+        self.muxer.finish_in_place().map_err(failed)?;
+        Ok(self.muxer.into_writer())
+    }
+}
+
+fn failed(error: impl std::fmt::Display) -> FilmError {
+    FilmError::Encoder(error.to_string())
+}
+
+/// Luma of each pixel, and blue and red difference of each square of four (BT.709, video range).
+struct Planes {
+    width: usize,
+    height: usize,
+    luma: Vec<u8>,
+    blue: Vec<u8>,
+    red: Vec<u8>,
+}
+
+/// Bits after the point of the coefficients below.
+const BITS: u32 = 16;
+/// Coefficients of red, green and blue, times 2^16.
+const LUMA: [i32; 3] = [11_966, 40_254, 4_064];
+const BLUE: [i32; 3] = [-6_596, -22_189, 28_785];
+const RED: [i32; 3] = [28_785, -26_145, -2_640];
+
+impl Planes {
+    fn new(picture: &Picture) -> Self {
+        let (width, height) = (picture.size.width as usize, picture.size.height as usize);
+        let pixel = |x: usize, y: usize| {
+            let at = 3 * (y * width + x);
+            [0, 1, 2].map(|k| i32::from(picture.rgb[at + k]))
+        };
+        let luma = (0..width * height).map(|i| scaled(LUMA, pixel(i % width, i / width), 16, 0)).collect();
+        let square = |coefficients: [i32; 3]| {
+            let square = |i: usize| {
+                let (x, y) = (i % (width / 2) * 2, i / (width / 2) * 2);
+                let corners = [pixel(x, y), pixel(x + 1, y), pixel(x, y + 1), pixel(x + 1, y + 1)];
+                let sum = corners.into_iter().fold([0; 3], |sum, rgb| [0, 1, 2].map(|k| sum[k] + rgb[k]));
+                scaled(coefficients, sum, 128, 2)
+            };
+            (0..width / 2 * (height / 2)).map(square).collect()
+        };
+        Self { width, height, luma, blue: square(BLUE), red: square(RED) }
+    }
+
+    fn slices(&self) -> YUVSlices<'_> {
+        let half = self.width / 2;
+        YUVSlices::new((&self.luma, &self.blue, &self.red), (self.width, self.height), (self.width, half, half))
+    }
+}
+
+/// Weighted sum of the channels, rounded, plus an offset. `shift`: power of two by which the sum of
+/// several pixels is divided.
+fn scaled(coefficients: [i32; 3], rgb: [i32; 3], offset: i32, shift: u32) -> u8 {
+    let bits = BITS + shift;
+    let sum: i32 = coefficients.iter().zip(rgb).map(|(c, x)| c * x).sum();
+    (((sum + (1 << (bits - 1))) >> bits) + offset).clamp(0, 255) as u8
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// White, black and the primaries have the values of the standard.
+    #[test]
+    fn planes_have_the_values_of_bt_709() {
+        for (rgb, luma, blue, red) in [
+            ([255; 3], 235, 128, 128),
+            ([0; 3], 16, 128, 128),
+            ([255, 0, 0], 63, 102, 240),
+            ([0, 255, 0], 173, 42, 26),
+            ([0, 0, 255], 32, 240, 118),
+        ] {
+            let picture = Picture { size: Size { width: 2, height: 2 }, rgb: [rgb; 4].concat() };
+            let planes = Planes::new(&picture);
+            assert_eq!((planes.luma[3], planes.blue[0], planes.red[0]), (luma, blue, red), "{rgb:?}");
+        }
+    }
+
+    #[test]
+    fn odd_small_and_huge_sizes_are_refused() {
+        for (width, height, valid) in [
+            (1280, 720, true),
+            (3840, 2160, true),
+            (2160, 3840, true),
+            (1281, 720, false),
+            (14, 720, false),
+            (3842, 2160, false),
+            (3840, 2162, false),
+        ] {
+            assert_eq!(check(Size { width, height }).is_ok(), valid, "{width}x{height}");
+        }
+    }
+}

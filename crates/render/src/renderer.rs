@@ -1,0 +1,105 @@
+//! The renderer: casts rays through the pixels of a picture and colours what they meet.
+
+use glam::Vec3;
+use rayon::prelude::*;
+use teeter_physics::Pose;
+use teeter_scene::Scene;
+
+use crate::camera::{Camera, View};
+use crate::picture::{Picture, Size};
+use crate::pixel::PixelGrid;
+use crate::shading::light::Lights;
+use crate::shading::occlusion::{Occlusion, Region};
+use crate::shading::shadow::SunDisc;
+use crate::shading::table::Table;
+use crate::shading::wood::Log;
+use crate::shape::Shape;
+use crate::solids::{Solid, Solids};
+use crate::stage::{Materials, Stage};
+
+/// Distances beside and above the first poses within which blocks darken their surroundings, m:
+/// beside, the height of a tower that falls.
+const SURROUNDINGS: [f32; 2] = [0.45, 0.08];
+
+/// Draws the blocks of a scene.
+///
+/// ```
+/// use teeter_render::{Renderer, Size, View, poses};
+///
+/// let scene = teeter_scene::named("tower").expect("a named scene");
+/// let renderer = Renderer::new(&scene);
+/// let size = Size { width: 64, height: 48 };
+/// let camera = renderer.camera(&View::default(), &poses(&scene), size);
+/// let picture = renderer.draw(&poses(&scene), &camera, size);
+/// // Wood in the middle is redder than blue.
+/// let [red, _, blue] = picture.pixel(32, 24);
+/// assert!(red > blue + 30);
+/// ```
+#[derive(Debug)]
+pub struct Renderer {
+    shapes: Vec<Shape>,
+    materials: Materials,
+    region: Region,
+}
+
+/// Returns the poses of the blocks of a scene as it stands, before it settles.
+pub fn poses(scene: &Scene) -> Vec<Pose> {
+    let pose = |block: &teeter_scene::Block| Pose {
+        position: block.pos.into(),
+        orientation: glam::DQuat::from_array(block.rotation()),
+    };
+    scene.blocks.iter().map(pose).collect()
+}
+
+impl Renderer {
+    /// Prepares the blocks of a scene.
+    pub fn new(scene: &Scene) -> Self {
+        let shape = |block: &teeter_scene::Block| {
+            Shape::new(Vec3::from_array(block.size.map(|x| x as f32)), scene.edge_radius as f32)
+        };
+        let shapes: Vec<Shape> = scene.blocks.iter().map(shape).collect();
+        let logs = (0..shapes.len() as u32).map(Log::new).collect();
+        let lights = Lights::new();
+        let bounds = solids(&shapes, &poses(scene)).bounds();
+        let [beside, above] = SURROUNDINGS;
+        Self {
+            shapes,
+            materials: Materials { logs, lights, sun: SunDisc::new(lights.sun_direction), table: Table::new(bounds) },
+            region: Region::new(bounds, beside, above),
+        }
+    }
+
+    /// Returns the camera of a view of blocks in these poses.
+    ///
+    /// # Panics
+    /// When there is not one pose a block.
+    pub fn camera(&self, view: &View, poses: &[Pose], size: Size) -> Camera {
+        let solids = solids(&self.shapes, poses);
+        let corners: Vec<Vec3> = solids.list().iter().flat_map(Solid::corners).collect();
+        view.camera(&corners, size)
+    }
+
+    /// Draws the blocks in these poses, in rayon's current thread pool. The picture is the same in
+    /// any number of threads.
+    ///
+    /// # Panics
+    /// When there is not one pose a block.
+    pub fn draw(&self, poses: &[Pose], camera: &Camera, size: Size) -> Picture {
+        let solids = solids(&self.shapes, poses);
+        let occlusion = Occlusion::new(self.region, &solids);
+        let stage = Stage { solids, occlusion };
+        let grid = PixelGrid { materials: &self.materials, stage: &stage, lens: camera.lens(size), size };
+        let mut rgb = vec![0; 3 * size.width as usize * size.height as usize];
+        rgb.par_chunks_exact_mut(3 * size.width as usize).enumerate().for_each(|(y, row)| {
+            for (x, pixel) in row.chunks_exact_mut(3).enumerate() {
+                pixel.copy_from_slice(&grid.colour(x as u32, y as u32));
+            }
+        });
+        Picture { size, rgb }
+    }
+}
+
+fn solids(shapes: &[Shape], poses: &[Pose]) -> Solids {
+    assert_eq!(shapes.len(), poses.len(), "there is one pose a block");
+    Solids::new(shapes.iter().zip(poses).map(|(&shape, pose)| Solid::new(shape, pose)).collect())
+}
