@@ -6,6 +6,7 @@ use std::process::ExitCode;
 use clap::error::ErrorKind;
 use teeter_dissertation::jenga3d::{self, ConstantError, IniError};
 use teeter_physics::BuildError;
+use teeter_render::FilmError;
 use teeter_report::score::LabelledError;
 use teeter_report::validation::{DataSheetError, RealRowsError};
 use teeter_scene::{NAMED, SceneError, printable};
@@ -119,6 +120,26 @@ pub enum Error {
     TraceFormat {
         /// Name of the file.
         name: String,
+    },
+    /// Picture or film in no known format.
+    #[error("{name}: a picture is a file that ends with .png, a film one with .gif or .mp4")]
+    PictureFormat {
+        /// Name of the file.
+        name: String,
+    },
+    /// Duration or frame rate of a picture.
+    #[error("{name} is one picture: --seconds and --fps are for films, which end with .gif or .mp4")]
+    FilmOptions {
+        /// Name of the file.
+        name: String,
+    },
+    /// Picture or film that cannot be written.
+    #[error("{name}: {source}")]
+    Film {
+        /// Name of the file.
+        name: String,
+        /// Cause.
+        source: FilmError,
     },
     /// Standard input for two files.
     #[error("standard input cannot be both the scene and the inputs: give the file of one of them")]

@@ -5,6 +5,7 @@ mod commands;
 mod error;
 mod fallen;
 mod input;
+mod inputs;
 mod interrupt;
 mod json_fields;
 mod message;

@@ -1,8 +1,9 @@
 //! Warnings of a command.
 
 use serde::Serialize;
-use teeter_physics::World;
-use teeter_scene::printable;
+use teeter_physics::{StepReport, World};
+use teeter_scene::{Scene, printable};
+use teeter_study::Timeline;
 
 use crate::message::message;
 
@@ -23,5 +24,23 @@ impl Warnings {
     /// Adds the warnings of a world.
     pub fn add_all_of(&mut self, world: &World) {
         world.warnings().iter().for_each(|warning| self.add(&warning.to_string()));
+    }
+
+    /// Adds a warning for each block of `scene` that was frozen in a step.
+    pub fn add_quarantined(&mut self, scene: &Scene, step: &StepReport) {
+        for body in &step.quarantined {
+            let (id, time) = (scene.blocks[body.index()].id, step.time);
+            self.add(&format!("block {id} ran away at {time:.2} s and was frozen there"));
+        }
+    }
+
+    /// Adds a warning for inputs that begin after the end of a run.
+    pub fn add_pending(&mut self, timeline: &Timeline) {
+        let [first, ..] = timeline.pending() else { return };
+        let changes = match timeline.pending().len() {
+            1 => "1 change of the inputs begins".into(),
+            count => format!("{count} changes of the inputs begin"),
+        };
+        self.add(&format!("{changes} after the end of the run, the first at {} s", first.time));
     }
 }

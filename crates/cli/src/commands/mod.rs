@@ -3,6 +3,7 @@
 mod dissertation;
 mod forces;
 mod play;
+mod render;
 mod run;
 mod scene;
 mod score;
@@ -22,6 +23,8 @@ pub enum Command {
     Scene(scene::Scenes),
     /// Simulate a scene and report whether it stands.
     Run(run::Run),
+    /// Draw a scene as a picture or a film, without a display.
+    Render(render::Render),
     /// Predict labelled towers: which fall, or at what tilt.
     Score(score::Score),
     /// Measure the force that starts each block sliding, beside that of rigid blocks.
@@ -43,6 +46,7 @@ impl Command {
             Command::Play(play) => play.run(),
             Command::Scene(scenes) => scenes.run(),
             Command::Run(run) => run.run(),
+            Command::Render(render) => render.run(),
             Command::Score(score) => score.run(),
             Command::Forces(forces) => forces.run(),
             Command::Validate(validate) => validate.run(),

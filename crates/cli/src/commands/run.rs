@@ -1,6 +1,5 @@
 //! `teeter run`: simulates a scene and measures it.
 
-mod inputs;
 mod recorder;
 mod report;
 mod simulation;
@@ -17,7 +16,7 @@ use crate::error::Error;
 use crate::output::Output;
 use crate::trace::Trace;
 use crate::warnings::Warnings;
-use crate::{input, output};
+use crate::{input, inputs, output};
 use simulation::Simulation;
 
 /// Arguments of `teeter run`.

@@ -4,8 +4,7 @@ use std::io::Write;
 
 use muxide::api::{Muxer, MuxerBuilder, VideoCodec};
 use openh264::encoder::{
-    Complexity, Encoder, EncoderConfig, FrameRate, FrameType, IntraFramePeriod, QpRange, RateControlMode, UsageType,
-    VuiConfig,
+    Complexity, Encoder, EncoderConfig, FrameRate, FrameType, IntraFramePeriod, QpRange, RateControlMode, VuiConfig,
 };
 use openh264::formats::YUVSlices;
 use openh264::{OpenH264API, Timestamp};
@@ -41,7 +40,6 @@ impl<W: Write> Mp4<W> {
     /// Begins a film of `fps` pictures a second.
     pub fn new(file: W, size: Size, fps: f64) -> Result<Self, FilmError> {
         let config = EncoderConfig::new()
-            .usage_type(UsageType::CameraVideoNonRealTime)
             .complexity(Complexity::High)
             .max_frame_rate(FrameRate::from_hz(fps as f32))
             .rate_control_mode(RateControlMode::Off)
@@ -151,6 +149,18 @@ mod tests {
             let picture = Picture { size: Size { width: 2, height: 2 }, rgb: [rgb; 4].concat() };
             let planes = Planes::new(&picture);
             assert_eq!((planes.luma[3], planes.blue[0], planes.red[0]), (luma, blue, red), "{rgb:?}");
+        }
+    }
+
+    /// A film of the largest and of the smallest size is encoded.
+    #[test]
+    fn films_of_the_largest_and_the_smallest_size_are_encoded() {
+        for size in
+            [Size { width: 3840, height: 2160 }, Size { width: 2160, height: 3840 }, Size { width: 16, height: 16 }]
+        {
+            let mut film = Mp4::new(Vec::new(), size, 60.0).unwrap();
+            film.add(&Picture { size, rgb: vec![90; 3 * (size.width * size.height) as usize] }).unwrap();
+            assert_eq!(&film.finish().unwrap()[4..8], b"ftyp");
         }
     }
 

@@ -42,10 +42,8 @@ impl<'a> Simulation<'a> {
             let clock = ProcessTime::now();
             let step = self.world.step(input);
             self.cpu_s += clock.elapsed().as_secs_f64();
-            for body in &step.quarantined {
-                let (id, time) = (self.scene.blocks[body.index()].id, step.time);
-                let text = format!("block {id} ran away at {time:.2} s and was frozen there");
-                bar.suspend(|| self.warnings.add(&text));
+            if !step.quarantined.is_empty() {
+                bar.suspend(|| self.warnings.add_quarantined(self.scene, &step));
             }
             self.recorder.record(&self.world, &step);
             self.trace()?;
@@ -58,15 +56,7 @@ impl<'a> Simulation<'a> {
     /// Finishes the trace, writes the state at the end and returns the report.
     pub fn finish(mut self, out: Option<Output>) -> Result<Report, Error> {
         self.trace.take().map_or(Ok(()), Trace::finish)?;
-        if let [first, ..] = self.timeline.pending() {
-            let count = self.timeline.pending().len();
-            let changes = if count == 1 {
-                "1 change of the inputs begins".into()
-            } else {
-                format!("{count} changes of the inputs begin")
-            };
-            self.warnings.add(&format!("{changes} after the end of the run, the first at {} s", first.time));
-        }
+        self.warnings.add_pending(&self.timeline);
         if let Some(warning) = self.recorder.energy_warning() {
             self.warnings.add(&warning);
         }

@@ -1,4 +1,4 @@
-//! Inputs of a run from a file: a JSON object a line, each a change of the input at a time.
+//! Inputs of a simulation from a file: a JSON object a line, each a change of the input at a time.
 
 use std::collections::BTreeMap;
 use std::path::Path;

@@ -1,0 +1,191 @@
+//! `teeter render`: draws a scene as a picture or a film.
+
+mod motion;
+mod view;
+
+use std::path::{Path, PathBuf};
+
+use clap::Args;
+use serde::Serialize;
+use teeter_render::{Camera, Film, FilmError, Format, GIF_FPS, Renderer, Size, View};
+use teeter_report::{OutFile, progress};
+use teeter_scene::Scene;
+use teeter_study::Timeline;
+
+use crate::arguments::{EngineArguments, number};
+use crate::error::Error;
+use crate::warnings::Warnings;
+use crate::{input, inputs, output};
+use motion::{Motion, Simulated, Still};
+
+/// Default frame rates of films, 1/s. A GIF file counts in hundredths of a second.
+const FPS: f64 = 30.0;
+const FPS_OF_GIF: f64 = 20.0;
+/// Default duration of a film, s.
+const SECONDS: f64 = 5.0;
+/// Maximum duration of a film, s.
+const MAX_SECONDS: f64 = 3600.0;
+
+/// Arguments of `teeter render`.
+#[derive(Debug, Args)]
+#[command(allow_negative_numbers = true)]
+pub struct Render {
+    /// File of a scene, `-` for standard input, or the name of a scene of the list.
+    scene: PathBuf,
+    /// File for the picture or film. Its extension is .png, .gif or .mp4.
+    #[arg(long, value_name = "FILE")]
+    out: PathBuf,
+    /// Simulated time of the picture or of the first one of a film, s; at 0 the scene is drawn as
+    /// it stands.
+    #[arg(long, default_value_t = 0.0, value_parser = number(0.0, inputs::MAX_TIME), value_name = "SECONDS")]
+    at: f64,
+    /// Duration of a film, s [default: 5].
+    #[arg(long, value_parser = number(0.02, MAX_SECONDS))]
+    seconds: Option<f64>,
+    /// Pictures a second of a film, up to 50 for a GIF file [default: 30, and 20 for a GIF file].
+    #[arg(long, value_parser = number(1.0, 60.0))]
+    fps: Option<f64>,
+    /// Width and height, pixels. An MP4 film has even ones, up to 3840x2160.
+    #[arg(long, default_value = "1280x720", value_name = "WIDTHxHEIGHT")]
+    size: Size,
+    /// View: `auto` frames all blocks; else azimuth and elevation of the camera in degrees, then
+    /// its distance from the target and the target in metres, all or the first of them.
+    #[arg(long, default_value = "auto", allow_hyphen_values = true, value_parser = view::parse, value_name = "AZ,EL[,DIST[,X,Y,Z]]")]
+    camera: View,
+    #[command(flatten)]
+    engine: EngineArguments,
+    /// File of hands, forces, drives and gravity, as of `teeter run`, see docs/inputs.md; `-` for
+    /// standard input.
+    #[arg(long, value_name = "FILE")]
+    inputs: Option<PathBuf>,
+    /// Print one JSON object.
+    #[arg(long)]
+    json: bool,
+}
+
+/// Report on a picture or a film.
+#[derive(Debug, Serialize)]
+struct Report {
+    /// Name of the file.
+    file: String,
+    /// Width and height, px.
+    width: u32,
+    height: u32,
+    /// Number of pictures.
+    pictures: u32,
+    /// Simulated time of the first picture and of the last one, s.
+    from_s: f64,
+    to_s: f64,
+    /// Camera: angles, its distance from the target, and the target.
+    azimuth_deg: f32,
+    elevation_deg: f32,
+    distance_m: f32,
+    target_m: [f32; 3],
+    /// Warnings, which are printed besides.
+    warnings: Warnings,
+}
+
+/// Pictures of a film, or the only one.
+struct Frames {
+    /// Time of the first one, s.
+    from: f64,
+    count: u32,
+    /// Pictures a second.
+    fps: f64,
+}
+
+impl Frames {
+    /// Simulated time of a picture, s.
+    fn time(&self, index: u32) -> f64 {
+        self.from + f64::from(index) / self.fps
+    }
+
+    /// Simulated time of the last picture, s.
+    fn end(&self) -> f64 {
+        self.time(self.count - 1)
+    }
+}
+
+impl Render {
+    /// Draws the scene and prints a report.
+    pub fn run(self) -> Result<(), Error> {
+        if self.scene == Path::new("-") && self.inputs.as_ref() == Some(&self.scene) {
+            return Err(Error::StdinTwice);
+        }
+        let name = self.out.display().to_string();
+        let format = Format::of(&self.out).ok_or_else(|| Error::PictureFormat { name: name.clone() })?;
+        let frames = self.frames(format, &name)?;
+        let film_error = |source| match source {
+            FilmError::Write(source) => Error::Write { name: name.clone(), source },
+            source => Error::Film { name: name.clone(), source },
+        };
+        format.check(self.size, frames.fps).map_err(film_error)?;
+        let scene = self.engine.material.apply(input::scene(&self.scene)?);
+        let timeline = self.inputs.as_deref().map_or(Ok(Timeline::default()), |path| inputs::read(path, &scene))?;
+        // Before the simulation, so that a missing folder is reported before minutes of work.
+        let file = OutFile::create(&self.out).map_err(|source| Error::Create { name: name.clone(), source })?;
+        let mut film = Film::new(format, file, self.size, frames.fps).map_err(film_error)?;
+        let mut motion = self.motion(&scene, timeline, &frames)?;
+        let renderer = Renderer::new(&scene);
+        let mut camera = None;
+        let bar = progress(u64::from(frames.count), "pictures");
+        for index in 0..frames.count {
+            let poses = motion.poses(frames.time(index));
+            // A film keeps the camera of its first picture.
+            let camera = camera.get_or_insert_with(|| renderer.camera(&self.camera, &poses, self.size));
+            film.add(&renderer.draw(&poses, camera, self.size)).map_err(film_error)?;
+            bar.inc(1);
+        }
+        bar.finish_and_clear();
+        film.finish().and_then(|file| Ok(file.finish()?)).map_err(film_error)?;
+        let camera = camera.expect("there is a first picture");
+        self.print(&scene, &frames, &camera, motion.warnings())
+    }
+
+    /// Pictures of a file of a format.
+    fn frames(&self, format: Format, name: &str) -> Result<Frames, Error> {
+        if !format.is_film() {
+            return match (self.seconds, self.fps) {
+                (None, None) => Ok(Frames { from: self.at, count: 1, fps: 1.0 }),
+                _ => Err(Error::FilmOptions { name: name.to_owned() }),
+            };
+        }
+        let fps = self.fps.unwrap_or(if format == Format::Gif { FPS_OF_GIF } else { FPS });
+        let count = (self.seconds.unwrap_or(SECONDS) * fps).round().max(1.0) as u32;
+        Ok(Frames { from: self.at, count, fps })
+    }
+
+    /// Source of the poses: the scene as it stands where no time passes.
+    fn motion<'a>(&self, scene: &'a Scene, timeline: Timeline, frames: &Frames) -> Result<Box<dyn Motion + 'a>, Error> {
+        if frames.end() == 0.0 {
+            return Ok(Box::new(Still::new(scene, &timeline)));
+        }
+        Ok(Box::new(Simulated::new(scene, self.engine.params(true), timeline)?))
+    }
+
+    fn print(&self, scene: &Scene, frames: &Frames, camera: &Camera, warnings: Warnings) -> Result<(), Error> {
+        let report = Report {
+            file: self.out.display().to_string(),
+            width: self.size.width,
+            height: self.size.height,
+            pictures: frames.count,
+            from_s: frames.from,
+            to_s: frames.end(),
+            azimuth_deg: camera.azimuth.to_degrees(),
+            elevation_deg: camera.elevation.to_degrees(),
+            distance_m: camera.distance,
+            target_m: camera.target.to_array(),
+            warnings,
+        };
+        if self.json {
+            return output::json(&report);
+        }
+        let (file, size, name, from, to) = (&report.file, self.size, &scene.name, report.from_s, report.to_s);
+        output::line(&match report.pictures {
+            1 => format!("{file}: {size}, {name} at {from:.2} s"),
+            count => format!("{file}: {size}, {count} pictures of {name} from {from:.2} s to {to:.2} s"),
+        })
+    }
+}
+
+const _: () = assert!(FPS_OF_GIF <= GIF_FPS, "the default frame rate is one that a GIF film shows");
