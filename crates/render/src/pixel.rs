@@ -39,7 +39,7 @@ enum Visible {
 }
 
 /// Points of a pixel that see one surface.
-struct Group {
+pub struct Group {
     visible: Visible,
     /// Sum of the points, px.
     x: f32,
@@ -59,11 +59,11 @@ impl Visible {
 }
 
 impl PixelGrid<'_> {
-    /// Returns red, green and blue of a pixel.
-    pub fn colour(&self, x: u32, y: u32) -> [u8; 3] {
+    /// Returns red, green and blue of a pixel. `groups` is memory for its work.
+    pub fn colour(&self, groups: &mut Vec<Group>, x: u32, y: u32) -> [u8; 3] {
         let corner = (x as f32, y as f32);
-        let mut groups = Vec::with_capacity(GRID * GRID);
-        FIRST.iter().for_each(|&point| self.add(&mut groups, corner, point));
+        groups.clear();
+        FIRST.iter().for_each(|&point| self.add(groups, corner, point));
         if groups.len() > 1 {
             groups.clear();
             for k in 0..GRID * GRID {
@@ -71,13 +71,13 @@ impl PixelGrid<'_> {
                 let (row, column) = (k / GRID, k % GRID);
                 let offset = (row as f32 + 0.5) / GRID as f32;
                 let point = ((column as f32 + offset) / GRID as f32, (row as f32 + 0.5) / GRID as f32);
-                self.add(&mut groups, corner, point);
+                self.add(groups, corner, point);
             }
         }
         let points: u32 = groups.iter().map(|group| group.count).sum();
         let sum: Vec3 = groups.iter().map(|group| group.count as f32 * self.shade(group)).sum();
         let colour = 255.0 * sum / points as f32;
-        colour.to_array().map(|channel| channel.round() as u8)
+        colour.to_array().map(|channel| (channel + 0.5) as u8)
     }
 
     fn add(&self, groups: &mut Vec<Group>, corner: (f32, f32), point: (f32, f32)) {

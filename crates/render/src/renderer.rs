@@ -90,9 +90,9 @@ impl Renderer {
         let stage = Stage { solids, occlusion };
         let grid = PixelGrid { materials: &self.materials, stage: &stage, lens: camera.lens(size), size };
         let mut rgb = vec![0; 3 * size.width as usize * size.height as usize];
-        rgb.par_chunks_exact_mut(3 * size.width as usize).enumerate().for_each(|(y, row)| {
+        rgb.par_chunks_exact_mut(3 * size.width as usize).enumerate().for_each_init(Vec::new, |groups, (y, row)| {
             for (x, pixel) in row.chunks_exact_mut(3).enumerate() {
-                pixel.copy_from_slice(&grid.colour(x as u32, y as u32));
+                pixel.copy_from_slice(&grid.colour(groups, x as u32, y as u32));
             }
         });
         Picture { size, rgb }

@@ -26,7 +26,14 @@ pub fn smoothstep(low: f32, high: f32, x: f32) -> f32 {
     t * t * (3.0 - 2.0 * t)
 }
 
+/// Largest whole number that is not above x. Processors without an instruction for it call a
+/// function for [`f32::floor`].
+pub fn floor(x: f32) -> f32 {
+    let whole = x as i32 as f32;
+    if whole > x { whole - 1.0 } else { whole }
+}
+
 /// Fractional part, from 0 to 1.
 pub fn fract(x: f32) -> f32 {
-    x - x.floor()
+    x - floor(x)
 }

@@ -2,20 +2,18 @@
 
 use glam::{Vec3, Vec3Swizzles};
 
-use super::mix;
+use super::{floor, fract, mix};
 
 /// Pseudo-random number from 0 to 1 at a point of the lattice of whole numbers.
 fn hash(point: Vec3) -> f32 {
-    let scaled = point * 0.1031;
-    let mut p = scaled - scaled.floor();
+    let mut p = (point * 0.1031).map(fract);
     p += Vec3::splat(p.dot(p.zyx() + 31.32));
-    let h = (p.x + p.y) * p.z;
-    h - h.floor()
+    fract((p.x + p.y) * p.z)
 }
 
 /// Smooth noise from 0 to 1, with features of length 1.
 pub fn noise(p: Vec3) -> f32 {
-    let i = p.floor();
+    let i = p.map(floor);
     let f = p - i;
     let f = f * f * (3.0 - 2.0 * f);
     let at = |x: f32, y: f32, z: f32| hash(i + Vec3::new(x, y, z));

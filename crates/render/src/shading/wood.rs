@@ -8,7 +8,7 @@ use core::f32::consts::TAU;
 use glam::{Vec2, Vec3, Vec3Swizzles};
 
 use super::noise::{noise, random};
-use super::{fract, mix, mix3, smoothstep};
+use super::{floor, fract, mix, mix3, smoothstep};
 
 /// Linear colours of the wood that grows early and late in a year.
 const EARLY: Vec3 = Vec3::new(0.760, 0.535, 0.325);
@@ -80,7 +80,7 @@ impl Log {
         let phase = fract(rings);
         let late = smoothstep(0.25, 0.93, phase) * (1.0 - smoothstep(0.93, 1.0, phase));
         let late = mix(late, 0.36, smoothstep(0.25, 0.9, blur));
-        let strength = 0.5 + 0.5 * noise(Vec3::new(rings.floor() * 1.7, q.x * 3.0, 0.5) + self.shift);
+        let strength = 0.5 + 0.5 * noise(Vec3::new(floor(rings) * 1.7, q.x * 3.0, 0.5) + self.shift);
 
         // Fibres: long along the grain, fine across it; they fade before they would shimmer.
         let spread = 1500.0 * (right.abs() + down.abs());
