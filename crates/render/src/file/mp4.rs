@@ -14,7 +14,7 @@ use super::limits::{MIN_MP4_SIDE, MP4_SIDES};
 use crate::picture::{Picture, Size};
 
 /// Quantizer, the same for each picture: 0 is lossless, 51 the coarsest.
-const QUANTIZER: u8 = 20;
+const QUANTIZER: u8 = 16;
 /// Time between pictures that do not depend on others, to which players jump, s.
 const INTRA_PERIOD: f64 = 2.0;
 
@@ -42,7 +42,8 @@ impl<W: Write> Mp4<W> {
         let config = EncoderConfig::new()
             .complexity(Complexity::High)
             .max_frame_rate(FrameRate::from_hz(fps as f32))
-            .rate_control_mode(RateControlMode::Off)
+            // The mode that takes its quantizer from the range below, and leaves out no picture.
+            .rate_control_mode(RateControlMode::Bufferbased)
             .qp(QpRange::new(QUANTIZER, QUANTIZER))
             .skip_frames(false)
             .adaptive_quantization(false)
@@ -63,12 +64,17 @@ impl<W: Write> Mp4<W> {
     /// Adds a picture.
     pub fn add(&mut self, picture: &Picture) -> Result<(), FilmError> {
         let time = f64::from(self.count) / self.fps;
-        self.count += 1;
+        let (stream, intra) = self.encode(picture)?;
+        self.muxer.write_video(time, &stream, intra).map_err(failed)
+    }
+
+    /// Returns the next picture as H.264, and true if it depends on no other one.
+    fn encode(&mut self, picture: &Picture) -> Result<(Vec<u8>, bool), FilmError> {
         let planes = Planes::new(picture);
-        let timestamp = Timestamp::from_millis((1e3 * time) as u64);
-        let stream = self.encoder.encode_at(&planes.slices(), timestamp).map_err(failed)?;
-        let intra = matches!(stream.frame_type(), FrameType::IDR | FrameType::I);
-        self.muxer.write_video(time, &stream.to_vec(), intra).map_err(failed)
+        let time = Timestamp::from_millis((1e3 * f64::from(self.count) / self.fps) as u64);
+        self.count += 1;
+        let stream = self.encoder.encode_at(&planes.slices(), time).map_err(failed)?;
+        Ok((stream.to_vec(), matches!(stream.frame_type(), FrameType::IDR | FrameType::I)))
     }
 
     /// Writes the rest and returns the file.
@@ -134,6 +140,9 @@ fn scaled(coefficients: [i32; 3], rgb: [i32; 3], offset: i32, shift: u32) -> u8 
 
 #[cfg(test)]
 mod tests {
+    use openh264::decoder::Decoder;
+    use openh264::formats::YUVSource;
+
     use super::*;
 
     /// White, black and the primaries have the values of the standard.
@@ -149,6 +158,26 @@ mod tests {
             let picture = Picture { size: Size { width: 2, height: 2 }, rgb: [rgb; 4].concat() };
             let planes = Planes::new(&picture);
             assert_eq!((planes.luma[3], planes.blue[0], planes.red[0]), (luma, blue, red), "{rgb:?}");
+        }
+    }
+
+    /// A square moves to the right; each decoded picture is the one that was encoded.
+    #[test]
+    fn pictures_come_back_as_they_were() {
+        let size = Size { width: 96, height: 64 };
+        let mut film = Mp4::new(Vec::new(), size, 30.0).unwrap();
+        let mut decoder = Decoder::new().unwrap();
+        for step in 0..6 {
+            let wood = |i: usize| (20..40).contains(&(i / 96)) && (10 + 8 * step..30 + 8 * step).contains(&(i % 96));
+            let colour = |i: usize| if wood(i) { [200, 150, 90] } else { [220, 205, 185] };
+            let picture = Picture { size, rgb: (0..96 * 64).flat_map(colour).collect() };
+            let (stream, intra) = film.encode(&picture).unwrap();
+            assert_eq!(intra, step == 0);
+            let decoded = decoder.decode(&stream).unwrap().unwrap();
+            let expected = Planes::new(&picture).luma;
+            let rows = decoded.y().chunks(decoded.strides().0).map(|row| &row[..96]).take(64);
+            let errors = rows.flatten().zip(&expected).map(|(&a, &b)| u32::from(a.abs_diff(b)));
+            assert!(errors.clone().max().unwrap() < 20 && errors.sum::<u32>() < 96 * 64, "picture {step}");
         }
     }
 
