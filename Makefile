@@ -1,5 +1,5 @@
 # `make play` and `make test` set up what is missing. Anything longer than a line is in tools/.
-.PHONY: help play page test golden fuzz check format bench counts figures peers clean setup
+.PHONY: help play page test golden fuzz check format bench counts figures peers pictures clean setup
 
 help: ## List the targets
 	@sed -n 's/^\([a-z]*\):.*## /\1\t/p' $(MAKEFILE_LIST) | column -t -s '	'
@@ -58,6 +58,9 @@ figures: ## Measure the cost of a tower natively and in WebAssembly, and write d
 
 peers: ## Measure the engine beside Rapier and Box3D, and write docs/performance.md
 	tools/peers
+
+pictures: ## Draw the pictures of the documents into docs/pictures
+	tools/pictures
 
 setup: ## Install everything that is missing, the browser included
 	tools/setup

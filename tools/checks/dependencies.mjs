@@ -123,8 +123,16 @@ export function findings(packages) {
   return found;
 }
 
-/** Returns the texts of licences and notices in a folder, MIT alone where a choice includes it. */
+/**
+ * Returns the texts of licences and notices in a folder, MIT alone where a choice includes it, and
+ * those of a library in another language that the package contains.
+ */
 function texts(folder, licence) {
+  const upstream = join(folder, 'upstream');
+  return [...textsIn(folder, licence), ...(existsSync(upstream) ? textsIn(upstream, licence) : [])];
+}
+
+function textsIn(folder, licence) {
   const names = readdirSync(folder)
     .filter(name => /^(licen[cs]e|copying|notice|unlicense|copyright)/i.test(name))
     .filter(name => !/\.(rs|html|spdx)$/i.test(name))

@@ -20,6 +20,16 @@ impl Bounds {
         Self { min: self.min.min(other.min), max: self.max.max(other.max) }
     }
 
+    /// Returns the box that both contain. Where they have nothing in common, a side is negative.
+    pub fn intersection(self, other: Self) -> Self {
+        Self { min: self.min.max(other.min), max: self.max.min(other.max) }
+    }
+
+    /// Returns the box with a margin on all sides, m.
+    pub fn grown(self, margin: f32) -> Self {
+        Self { min: self.min - margin, max: self.max + margin }
+    }
+
     /// Centre, m.
     pub fn centre(&self) -> Vec3 {
         0.5 * (self.min + self.max)

@@ -5,11 +5,12 @@ use rayon::prelude::*;
 use teeter_physics::Pose;
 use teeter_scene::Scene;
 
+use crate::bounds::Bounds;
 use crate::camera::{Camera, View};
 use crate::picture::{Picture, Size};
 use crate::pixel::PixelGrid;
 use crate::shading::light::Lights;
-use crate::shading::occlusion::{Occlusion, Region};
+use crate::shading::occlusion::Occlusion;
 use crate::shading::shadow::SunDisc;
 use crate::shading::table::Table;
 use crate::shading::wood::Log;
@@ -17,9 +18,9 @@ use crate::shape::Shape;
 use crate::solids::{Solid, Solids};
 use crate::stage::{Materials, Stage};
 
-/// Distances beside and above the first poses within which blocks darken their surroundings, m:
-/// beside, the height of a tower that falls.
-const SURROUNDINGS: [f32; 2] = [0.45, 0.08];
+/// Distance from the first poses within which blocks darken their surroundings, m: far beyond the
+/// blocks of a tower that falls.
+const SURROUNDINGS: f32 = 2.0;
 
 /// Draws the blocks of a scene.
 ///
@@ -39,7 +40,8 @@ const SURROUNDINGS: [f32; 2] = [0.45, 0.08];
 pub struct Renderer {
     shapes: Vec<Shape>,
     materials: Materials,
-    region: Region,
+    /// Bounds within which blocks darken their surroundings, m.
+    limits: Bounds,
 }
 
 /// Returns the poses of the blocks of a scene as it stands, before it settles.
@@ -61,11 +63,10 @@ impl Renderer {
         let logs = (0..shapes.len() as u32).map(Log::new).collect();
         let lights = Lights::new();
         let bounds = solids(&shapes, &poses(scene)).bounds();
-        let [beside, above] = SURROUNDINGS;
         Self {
             shapes,
             materials: Materials { logs, lights, sun: SunDisc::new(lights.sun_direction), table: Table::new(bounds) },
-            region: Region::new(bounds, beside, above),
+            limits: bounds.grown(SURROUNDINGS),
         }
     }
 
@@ -86,7 +87,7 @@ impl Renderer {
     /// When there is not one pose a block.
     pub fn draw(&self, poses: &[Pose], camera: &Camera, size: Size) -> Picture {
         let solids = solids(&self.shapes, poses);
-        let occlusion = Occlusion::new(self.region, &solids);
+        let occlusion = Occlusion::new(&solids, self.limits);
         let stage = Stage { solids, occlusion };
         let grid = PixelGrid { materials: &self.materials, stage: &stage, lens: camera.lens(size), size };
         let mut rgb = vec![0; 3 * size.width as usize * size.height as usize];

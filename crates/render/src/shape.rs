@@ -73,6 +73,27 @@ impl Shape {
             (_, Edge::Round(radius)) => round::entry(self.half, radius, ray, max),
         }
     }
+
+    /// Returns true if a point is within the shape.
+    pub fn contains(&self, point: Vec3) -> bool {
+        // The shape is symmetric, so one of eight corners stands for all.
+        let beyond = point.abs() - (self.half - Vec3::splat(self.edge.inset()));
+        if beyond.max_element() > self.edge.inset() {
+            return false;
+        }
+        match self.edge {
+            Edge::Chamfered(width) => {
+                let pair = beyond.element_sum() - beyond.min_element();
+                pair <= width && beyond.element_sum() <= width
+            }
+            Edge::Round(radius) => beyond.max(Vec3::ZERO).length() <= radius,
+        }
+    }
+
+    /// Returns true if a ray begins within the shape or enters it.
+    pub fn is_met(&self, ray: &Ray) -> bool {
+        self.entry(ray, f32::INFINITY).is_some() || self.contains(ray.origin)
+    }
 }
 
 #[cfg(test)]

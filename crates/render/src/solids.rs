@@ -120,12 +120,12 @@ impl Solids {
         })
     }
 
-    /// Returns true if a ray meets a block.
+    /// Returns true if a ray begins in a block or meets one.
     pub fn is_blocked(&self, ray: &Ray) -> bool {
         let mut blocked = false;
         self.tree.visit(ray, f32::INFINITY, |block, max| {
             let solid = &self.list[block as usize];
-            blocked = solid.shape.entry(&solid.local(ray), f32::INFINITY).is_some();
+            blocked = solid.shape.is_met(&solid.local(ray));
             if blocked { -1.0 } else { max }
         });
         blocked

@@ -86,7 +86,7 @@ struct Report {
 }
 
 /// Pictures of a film, or the only one.
-struct Frames {
+struct Times {
     /// Time of the first one, s.
     from: f64,
     count: u32,
@@ -94,7 +94,7 @@ struct Frames {
     fps: f64,
 }
 
-impl Frames {
+impl Times {
     /// Simulated time of a picture, s.
     fn time(&self, index: u32) -> f64 {
         self.from + f64::from(index) / self.fps
@@ -114,23 +114,23 @@ impl Render {
         }
         let name = self.out.display().to_string();
         let format = Format::of(&self.out).ok_or_else(|| Error::PictureFormat { name: name.clone() })?;
-        let frames = self.frames(format, &name)?;
+        let times = self.times(format, &name)?;
         let film_error = |source| match source {
             FilmError::Write(source) => Error::Write { name: name.clone(), source },
             source => Error::Film { name: name.clone(), source },
         };
-        format.check(self.size, frames.fps).map_err(film_error)?;
+        format.check(self.size, times.fps).map_err(film_error)?;
         let scene = self.engine.material.apply(input::scene(&self.scene)?);
         let timeline = self.inputs.as_deref().map_or(Ok(Timeline::default()), |path| inputs::read(path, &scene))?;
         // Before the simulation, so that a missing folder is reported before minutes of work.
         let file = OutFile::create(&self.out).map_err(|source| Error::Create { name: name.clone(), source })?;
-        let mut film = Film::new(format, file, self.size, frames.fps).map_err(film_error)?;
-        let mut motion = self.motion(&scene, timeline, &frames)?;
+        let mut film = Film::new(format, file, self.size, times.fps).map_err(film_error)?;
+        let mut motion = self.motion(&scene, timeline, &times)?;
         let renderer = Renderer::new(&scene);
         let mut camera = None;
-        let bar = progress(u64::from(frames.count), "pictures");
-        for index in 0..frames.count {
-            let poses = motion.poses(frames.time(index));
+        let bar = progress(u64::from(times.count), "pictures");
+        for index in 0..times.count {
+            let poses = motion.poses(times.time(index));
             // A film keeps the camera of its first picture.
             let camera = camera.get_or_insert_with(|| renderer.camera(&self.camera, &poses, self.size));
             film.add(&renderer.draw(&poses, camera, self.size)).map_err(film_error)?;
@@ -139,38 +139,38 @@ impl Render {
         bar.finish_and_clear();
         film.finish().and_then(|file| Ok(file.finish()?)).map_err(film_error)?;
         let camera = camera.expect("there is a first picture");
-        self.print(&scene, &frames, &camera, motion.warnings())
+        self.print(&scene, &times, &camera, motion.warnings())
     }
 
     /// Pictures of a file of a format.
-    fn frames(&self, format: Format, name: &str) -> Result<Frames, Error> {
+    fn times(&self, format: Format, name: &str) -> Result<Times, Error> {
         if !format.is_film() {
             return match (self.seconds, self.fps) {
-                (None, None) => Ok(Frames { from: self.at, count: 1, fps: 1.0 }),
+                (None, None) => Ok(Times { from: self.at, count: 1, fps: 1.0 }),
                 _ => Err(Error::FilmOptions { name: name.to_owned() }),
             };
         }
         let fps = self.fps.unwrap_or(if format == Format::Gif { FPS_OF_GIF } else { FPS });
         let count = (self.seconds.unwrap_or(SECONDS) * fps).round().max(1.0) as u32;
-        Ok(Frames { from: self.at, count, fps })
+        Ok(Times { from: self.at, count, fps })
     }
 
     /// Source of the poses: the scene as it stands where no time passes.
-    fn motion<'a>(&self, scene: &'a Scene, timeline: Timeline, frames: &Frames) -> Result<Box<dyn Motion + 'a>, Error> {
-        if frames.end() == 0.0 {
+    fn motion<'a>(&self, scene: &'a Scene, timeline: Timeline, times: &Times) -> Result<Box<dyn Motion + 'a>, Error> {
+        if times.end() == 0.0 {
             return Ok(Box::new(Still::new(scene, &timeline)));
         }
         Ok(Box::new(Simulated::new(scene, self.engine.params(true), timeline)?))
     }
 
-    fn print(&self, scene: &Scene, frames: &Frames, camera: &Camera, warnings: Warnings) -> Result<(), Error> {
+    fn print(&self, scene: &Scene, times: &Times, camera: &Camera, warnings: Warnings) -> Result<(), Error> {
         let report = Report {
             file: self.out.display().to_string(),
             width: self.size.width,
             height: self.size.height,
-            pictures: frames.count,
-            from_s: frames.from,
-            to_s: frames.end(),
+            pictures: times.count,
+            from_s: times.from,
+            to_s: times.end(),
             azimuth_deg: camera.azimuth.to_degrees(),
             elevation_deg: camera.elevation.to_degrees(),
             distance_m: camera.distance,

@@ -12,12 +12,11 @@ use core::f32::consts::TAU;
 use glam::Vec3;
 
 use super::mix;
+use crate::bounds::Bounds;
 use crate::solids::Solids;
 use grid::Grid;
 use nearby::Nearby;
-use region::LEVELS;
-
-pub use region::Region;
+use region::{CELL, LEVELS, Region};
 
 /// Distance from the surface at which a march begins, m.
 const START: f32 = 0.0035;
@@ -26,6 +25,8 @@ const STEPS: [(f32, f32, f32); 4] = [(0.005, 0.75, 0.0), (0.012, 0.85, 0.6), (0.
 
 /// Distance within which a block takes light, m.
 const REACH: f32 = START + STEPS[STEPS.len() - 1].0;
+/// Cells around the blocks in which they take light: the coarsest grid is interpolated between cells.
+const MARGIN: usize = (REACH / CELL) as usize + 1 + (1 << LEVELS);
 /// Directions beside the normal.
 const BESIDE: usize = 6;
 
@@ -41,7 +42,10 @@ pub struct Occlusion {
 
 impl Occlusion {
     /// Fills the grid.
-    pub fn new(region: Region, solids: &Solids) -> Self {
+    ///
+    /// Blocks outside of `limits` take no light, or one that runs away would need an endless grid.
+    pub fn new(solids: &Solids, limits: Bounds) -> Self {
+        let region = Region::new(solids.bounds().intersection(limits), MARGIN);
         let mut grid = Grid::new(region.count);
         solids.list().iter().for_each(|solid| grid.fill(&region, solid));
         grid.close();
@@ -50,8 +54,7 @@ impl Occlusion {
             let coarse = levels[levels.len() - 1].halved();
             levels.push(coarse);
         }
-        // The coarsest grid is interpolated between cells.
-        let distance = REACH + (1 << LEVELS) as f32 * region.cell;
+        let distance = MARGIN as f32 * region.cell;
         let nearby = Nearby::new(&region, solids.list(), distance);
         let angle = |i: usize| TAU / BESIDE as f32 * (i as f32 + 0.5);
         let circle = core::array::from_fn(|i| (libm::cosf(angle(i)), libm::sinf(angle(i))));
@@ -108,14 +111,14 @@ mod tests {
     fn cube_at(x: f64) -> Occlusion {
         let pose = Pose { position: DVec3::new(x, 0.0, 0.03), orientation: DQuat::IDENTITY };
         let solids = Solids::new(vec![Solid::new(Shape::new(Vec3::splat(0.06), 0.0), &pose)]);
-        Occlusion::new(Region::new(solids.bounds(), 0.4, 0.1), &solids)
+        Occlusion::new(&solids, solids.bounds())
     }
 
     #[test]
     fn cells_hold_the_volume_of_the_block_at_every_level() {
         let occlusion = cube_at(0.0013);
         for (level, grid) in occlusion.levels.iter().enumerate() {
-            let cell = region::CELL * (1 << level) as f32;
+            let cell = CELL * (1 << level) as f32;
             let volume = grid.sum() * cell * cell * cell;
             assert!((volume / 0.000_216 - 1.0).abs() < 0.05, "level {level}: {volume}");
         }
@@ -145,6 +148,9 @@ mod tests {
         assert_eq!(occlusion.sky(Vec3::new(0.15, 0.0, 0.0), Vec3::Z), 1.0);
         let foot = occlusion.sky(Vec3::new(0.0302, 0.0, 0.0), Vec3::Z);
         assert!((0.2..0.7).contains(&foot), "{foot}");
+        // A rounding error of the height changes nothing.
+        let below = occlusion.sky(Vec3::new(0.0302, 0.0, -1e-8), Vec3::Z);
+        assert!((below - foot).abs() < 1e-4, "{below}");
         // Above the block nothing takes light.
         assert!(occlusion.sky(Vec3::new(0.0, 0.0, 0.06), Vec3::Z) > 0.97);
     }

@@ -94,3 +94,22 @@ fn a_round_box_is_all_within_a_radius_of_its_core() {
     }
     assert!((100..1500).contains(&hits), "{hits}");
 }
+
+/// Points on both sides of a surface that rays enter are in the shape and outside of it.
+#[test]
+fn a_shape_contains_the_points_beneath_its_surface() {
+    for radius in [0.0, 0.004] {
+        let shape = Shape::new(SIZE, radius);
+        for i in 0..30 {
+            for j in 0..30 {
+                let (u, v) = (0.2 * i as f32, 0.1 * j as f32 - 1.5);
+                let direction = -Vec3::new(libm::cosf(u), libm::sinf(u), v).normalize();
+                let ray = Ray { origin: -direction, direction };
+                let entry = shape.entry(&ray, 2.0).unwrap();
+                assert!(shape.contains(ray.at(entry.distance + 2e-5)), "{direction}");
+                assert!(!shape.contains(ray.at(entry.distance - 2e-5)), "{direction}");
+                assert!(shape.is_met(&Ray { origin: 0.001 * direction, direction }));
+            }
+        }
+    }
+}

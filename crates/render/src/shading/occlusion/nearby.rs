@@ -40,6 +40,8 @@ impl Nearby {
     /// Returns true if a point, m, is near a block.
     pub fn contains(&self, point: Vec3) -> bool {
         let at = (point - self.origin) * self.inv;
+        // A point of the table may have a height just below 0.
+        let at = at.with_z(at.z.max(0.0));
         let [x, y, z] = at.to_array().map(|x| x as usize);
         let [nx, ny, nz] = self.count;
         at.min_element() >= 0.0 && x < nx && y < ny && z < nz && self.cells[x + nx * (y + ny * z)]

@@ -27,15 +27,16 @@ pub struct Region {
 }
 
 impl Region {
-    /// Returns a region around these bounds with `margin` beside and `above` them, m.
-    pub fn new(bounds: Bounds, margin: f32, above: f32) -> Self {
-        let bounds = if bounds.min.is_finite() { bounds } else { Bounds { min: Vec3::ZERO, max: Vec3::ZERO } };
+    /// Returns a region around blocks with these bounds, with `margin` cells beside and above them.
+    pub fn new(bounds: Bounds, margin: usize) -> Self {
+        let bounds =
+            if bounds.min.cmple(bounds.max).all() { bounds } else { Bounds { min: Vec3::ZERO, max: Vec3::ZERO } };
         let mut cell = CELL;
         loop {
-            let unit = UNIT as f32 * cell;
-            let from = |x: f32| ORIGIN + ((x - margin - ORIGIN) / unit).floor() * unit;
-            let origin = Vec3::new(from(bounds.min.x), from(bounds.min.y), 0.0);
-            let extent = (bounds.max + Vec3::new(margin, margin, above) - origin).max(Vec3::ZERO);
+            let (unit, margin) = (UNIT as f32 * cell, Vec3::splat(margin as f32 * cell));
+            let from = (bounds.min - margin - ORIGIN) / unit;
+            let origin = (Vec3::splat(ORIGIN) + from.floor() * unit).with_z(0.0);
+            let extent = (bounds.max + margin - origin).max(Vec3::ZERO);
             let count = extent.to_array().map(|x| ((x / unit).ceil() as usize).max(1) * UNIT);
             if count.iter().product::<usize>() <= MAX_CELLS {
                 return Self { origin, cell, count };
