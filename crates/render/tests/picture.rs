@@ -87,7 +87,7 @@ fn the_shadow_of_a_corner_falls_where_the_sun_casts_it() {
     assert!(ratio(middle) < 0.75, "{}", ratio(middle));
     for corner in [Vec3::new(-half, half, height + edge), Vec3::new(half, -half, height)] {
         let outward = (cast(corner) - middle).normalize();
-        // Half shadow: the distance to the table times the sun's radius, over the sine of its height.
+        // Half shadow: the distance to the table times the sun's radius, over its height's sine.
         let sine = SUN.normalize().z;
         let soft = 0.0425 * corner.z / (sine * sine);
         let (inner, outer) = (cast(corner) - (soft + 0.008) * outward, cast(corner) + (soft + 0.008) * outward);

@@ -70,7 +70,8 @@ impl<W: Write> Gif<W> {
         self.pending.take().map_or(Ok(()), |frame| self.encoder.write_frame(&frame).map_err(failed))
     }
 
-    /// Duration of the next picture in hundredths of a second: rounded so that errors do not add up.
+    /// Duration of the next picture in hundredths of a second, rounded so that errors do not add
+    /// up.
     fn delay(&self) -> u16 {
         let end = |count: u32| (100.0 * f64::from(count) / self.fps).round();
         (end(self.count + 1) - end(self.count)).min(f64::from(u16::MAX)) as u16

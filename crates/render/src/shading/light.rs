@@ -9,8 +9,8 @@ use super::{mix, mix3};
 
 /// Direction of the sun, not of unit length: from the upper left of the default view.
 const SUN_DIRECTION: Vec3 = Vec3::new(0.35, -1.0, 1.15);
-/// Axis of the hemisphere of light, from its ground to its sky: horizontal, as on the page, where it
-/// models a room with a window.
+/// Axis of the hemisphere of light, from its ground to its sky: y, as on the page, which leaves the
+/// default of its library.
 const SKY_AXIS: Vec3 = Vec3::Y;
 const SUN: ([u8; 3], f32) = ([0xff, 0xf1, 0xdd], 2.9);
 const SKY: ([u8; 3], f32) = ([0xf2, 0xf3, 0xf5], 1.5);

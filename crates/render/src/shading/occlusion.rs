@@ -25,7 +25,8 @@ const STEPS: [(f32, f32, f32); 4] = [(0.005, 0.75, 0.0), (0.012, 0.85, 0.6), (0.
 
 /// Distance within which a block takes light, m.
 const REACH: f32 = START + STEPS[STEPS.len() - 1].0;
-/// Cells around the blocks in which they take light: the coarsest grid is interpolated between cells.
+/// Cells around the blocks in which they take light. The coarsest grid is interpolated between
+/// cells.
 const MARGIN: usize = (REACH / CELL) as usize + 1 + (1 << LEVELS);
 /// Directions beside the normal.
 const BESIDE: usize = 6;
@@ -124,7 +125,7 @@ mod tests {
         }
     }
 
-    /// Where nothing is nearby, the march finds nothing.
+    /// The march finds nothing there.
     #[test]
     fn points_that_are_not_nearby_see_the_whole_sky() {
         let occlusion = cube_at(0.0013);

@@ -1,7 +1,7 @@
 //! The wood: light hardwood, cut from logs that differ from block to block.
 //!
-//! It is solid: its colour is a function of the position in the log, so that rings run round the end
-//! of a block into the lines of its sides. Constants are those of the page's shader.
+//! It is solid: its colour is a function of the position in the log, so that rings run round the
+//! end of a block into the lines of its sides. Constants are those of the page's shader.
 
 use core::f32::consts::TAU;
 

@@ -3,8 +3,8 @@
 use glam::Vec3;
 use teeter_render::View;
 
-/// Parses a view: `auto`, or azimuth, elevation (degrees), distance and target (m), all or the first
-/// of them.
+/// Parses a view: `auto`, or azimuth and elevation (degrees), then distance and target (m), all or
+/// the first of them.
 pub fn parse(text: &str) -> Result<View, String> {
     if text == "auto" {
         return Ok(View::default());

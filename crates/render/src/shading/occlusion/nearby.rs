@@ -9,7 +9,7 @@ use crate::solids::Solid;
 #[derive(Debug)]
 pub struct Nearby {
     origin: Vec3,
-    /// One over the edge of a cell, 1/m.
+    /// Inverse of the edge of a cell, 1/m.
     inv: f32,
     count: [usize; 3],
     cells: Vec<bool>,
