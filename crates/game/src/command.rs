@@ -6,6 +6,7 @@ use teeter_physics::BodyId;
 use teeter_scene::Form;
 
 use crate::hand::grip::GripMode;
+use crate::rules::illegal::Illegal;
 use crate::tower_map::CellId;
 
 /// Command of a player for one frame. Vectors are in m and in the world frame unless said.
@@ -88,6 +89,11 @@ pub enum Command {
         #[serde(default)]
         spring_stiffness: Option<f64>,
     },
+    /// Gives up: the player whose turn it is is out of the game.
+    Resign,
+    /// Rebuilds the tower as it stood at the start, with the blocks in their present form. Where
+    /// there are turns, the next game begins with the player who felled it.
+    Rebuild,
 }
 
 /// Reason to refuse a command. Nothing has changed then.
@@ -141,4 +147,13 @@ pub enum Refusal {
     /// The blocks cannot have that form.
     #[error("{0}")]
     BlockForm(String),
+    /// Free play has no player who could give up.
+    #[error("this is free play: there are no turns")]
+    NoTurns,
+    /// The tower cannot be rebuilt.
+    #[error("{0}")]
+    Rebuild(String),
+    /// The rules forbid the command.
+    #[error(transparent)]
+    Illegal(#[from] Illegal),
 }

@@ -9,6 +9,10 @@ use crate::hand::controller::{Ending, HandController, Touch};
 use crate::hand::grip::HoldGrip;
 use crate::hand::hold::Task;
 use crate::rest::{Motion, RestDetector};
+use crate::rules::illegal::Illegal;
+use crate::rules::referee::{Frame, Referee};
+use crate::rules::table::{Rules, RulesError};
+use crate::rules::turn::TurnState;
 use crate::simulator::Simulator;
 use crate::stiffness_ramp::{BlockForm, StiffnessRamp};
 use crate::tower_map::Slot;
@@ -34,10 +38,12 @@ pub struct Game<S: Simulator = World> {
     pub(crate) ramp: StiffnessRamp,
     pub(crate) fall: FallDetector,
     pub(crate) rest: RestDetector,
+    /// None in free play.
+    pub(crate) referee: Option<Referee>,
 }
 
 impl<S: Simulator> Game<S> {
-    /// A game whose tower stands as in `simulator`.
+    /// Free play on a tower that stands as in `simulator`.
     pub fn new(simulator: S) -> Self {
         let blocks = Blocks::of(&simulator);
         Self {
@@ -45,9 +51,44 @@ impl<S: Simulator> Game<S> {
             ramp: StiffnessRamp::new(simulator.block_form(), simulator.contact_stiffness()),
             fall: FallDetector::new(&blocks),
             rest: RestDetector::default(),
+            referee: None,
             blocks,
             simulator,
         }
+    }
+
+    /// A game by rules, on a tower that stands as in `simulator`. With the rules of free play it is
+    /// that of [`Game::new`].
+    ///
+    /// # Errors
+    /// When a rule is out of its range, or no block may be taken.
+    pub fn with_rules(simulator: S, rules: Rules) -> Result<Self, RulesError> {
+        let mut game = Self::new(simulator);
+        rules.validate()?;
+        if rules.has_turns() {
+            game.referee = Some(Referee::new(rules, &game.blocks)?);
+        }
+        Ok(game)
+    }
+
+    /// The rules.
+    pub fn rules(&self) -> Rules {
+        self.referee.as_ref().map_or_else(Rules::default, |referee| *referee.rules())
+    }
+
+    /// State of the turn; none in free play.
+    pub fn turn(&self) -> Option<TurnState> {
+        self.referee.as_ref().map(Referee::state)
+    }
+
+    /// Judges a command by the rules, as the next step would. In free play all are legal; the hand
+    /// may still refuse what it cannot do.
+    ///
+    /// # Errors
+    /// The rule that the command breaks.
+    pub fn judge(&self, command: &Command) -> Result<(), Illegal> {
+        let held = self.controller.hold().map(|hold| hold.body);
+        self.referee.as_ref().map_or(Ok(()), |referee| referee.judge(command, &self.blocks, held))
     }
 
     /// The simulator.
@@ -88,8 +129,12 @@ impl<S: Simulator> Game<S> {
     /// Carries out a command and advances by a frame.
     pub fn step(&mut self, command: &Command) -> Update<S::Report> {
         let mut events = Vec::new();
-        if let Err(refusal) = self.apply(command, &mut events) {
-            events.push(Event::Refused { reason: refusal.to_string() });
+        if let Some(referee) = &mut self.referee {
+            referee.begin(&mut events);
+        }
+        match self.apply(command, &mut events) {
+            Ok(()) => {}
+            Err(refusal) => events.push(refused(&refusal)),
         }
         self.advance_block_form(&mut events);
         let hand = self.controller.hand(&self.blocks, &self.simulator);
@@ -108,6 +153,7 @@ impl<S: Simulator> Game<S> {
         }
         let held = held.or_else(|| self.simulator.held_by_itself());
         self.observe_tower(outcome.max_speed, held, &mut events);
+        self.observe_turn(frame, &mut events);
         let form = self.simulator.block_form();
         Update {
             report: outcome.report,
@@ -119,6 +165,7 @@ impl<S: Simulator> Game<S> {
             at_rest: self.rest.at_rest(),
             form: form.form,
             spring_stiffness: (form.form == teeter_scene::Form::Lattice).then_some(form.spring_stiffness),
+            turn: self.turn(),
             events,
         }
     }
@@ -128,6 +175,30 @@ impl<S: Simulator> Game<S> {
     }
 
     fn apply(&mut self, command: &Command, events: &mut Vec<Event>) -> Result<(), Refusal> {
+        self.judge(command)?;
+        let mut done = Vec::new();
+        self.carry_out(command, &mut done)?;
+        let Some(referee) = &mut self.referee else {
+            events.append(&mut done);
+            return Ok(());
+        };
+        // A touch can begin the turn that it belongs to.
+        let lets_go = referee.accept(command, &self.blocks, events);
+        events.append(&mut done);
+        if lets_go {
+            self.let_go(events);
+        }
+        Ok(())
+    }
+
+    /// Opens the hand where it holds a block.
+    fn let_go(&mut self, events: &mut Vec<Event>) {
+        if let Ok(body) = self.controller.release() {
+            events.push(Event::Released { body });
+        }
+    }
+
+    fn carry_out(&mut self, command: &Command, events: &mut Vec<Event>) -> Result<(), Refusal> {
         let Self { blocks, controller, simulator, ramp, .. } = self;
         match *command {
             Command::Idle => {}
@@ -152,8 +223,41 @@ impl<S: Simulator> Game<S> {
                 simulator.check_block_form(form).map_err(Refusal::BlockForm)?;
                 ramp.set_target(form);
             }
+            Command::Resign if self.referee.is_none() => return Err(Refusal::NoTurns),
+            Command::Resign => {}
+            Command::Rebuild => {
+                self.rebuild()?;
+                events.push(Event::Rebuilt);
+            }
         }
         Ok(())
+    }
+
+    /// Begins again on the tower as it stood at the start.
+    fn rebuild(&mut self) -> Result<(), Refusal> {
+        self.simulator.restart().map_err(Refusal::Rebuild)?;
+        let blocks = Blocks::of(&self.simulator);
+        self.controller = HandController::new(self.simulator.hand_can_turn());
+        self.ramp = StiffnessRamp::new(self.simulator.block_form(), self.simulator.contact_stiffness());
+        (self.fall, self.rest) = (FallDetector::new(&blocks), RestDetector::default());
+        if let Some(referee) = &mut self.referee {
+            // A tower that gives no block at the start leaves the game over.
+            if let Ok(next) = Referee::new(referee.next_game(), &blocks) {
+                *referee = next;
+            }
+        }
+        self.blocks = blocks;
+        Ok(())
+    }
+
+    fn observe_turn(&mut self, seconds: f64, events: &mut Vec<Event>) {
+        let Some(referee) = &mut self.referee else { return };
+        let fell = events.iter().any(|event| matches!(event, Event::Fell { .. }));
+        let held = self.controller.hold().map(|hold| hold.body);
+        let frame = Frame { blocks: &self.blocks, held, fell, at_rest: self.rest.at_rest(), seconds };
+        if referee.observe(&frame, events) {
+            self.let_go(events);
+        }
     }
 
     /// Gives the blocks the next form of the ramp.
@@ -195,5 +299,14 @@ impl<S: Simulator> Game<S> {
             stuck_s: hold.stuck_s,
             contacts,
         })
+    }
+}
+
+/// Event of a command that was refused.
+fn refused(refusal: &Refusal) -> Event {
+    let reason = refusal.to_string();
+    match refusal {
+        Refusal::Illegal(rule) => Event::Illegal { rule: *rule, reason },
+        _ => Event::Refused { reason },
     }
 }

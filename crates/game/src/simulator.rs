@@ -103,6 +103,14 @@ pub trait Simulator {
     /// The reason, as one line; nothing has changed then.
     fn set_block_form(&mut self, form: BlockForm) -> Result<(), String>;
 
+    /// Goes back to the start, with the blocks in their present form.
+    ///
+    /// # Errors
+    /// The reason, as one line; nothing has changed then. The default refuses.
+    fn restart(&mut self) -> Result<(), String> {
+        Err("this tower cannot be rebuilt".to_owned())
+    }
+
     /// Body that the simulator holds with a hand of its own, beside that of the game.
     fn held_by_itself(&self) -> Option<BodyId> {
         None
@@ -192,6 +200,11 @@ impl Simulator for World {
     fn set_block_form(&mut self, form: BlockForm) -> Result<(), String> {
         let springs = springs(self, form);
         self.set_form(form.form, springs).map_err(|error| error.to_string())
+    }
+
+    fn restart(&mut self) -> Result<(), String> {
+        *self = World::new(self.scene(), *self.params()).map_err(|error| error.to_string())?;
+        Ok(())
     }
 
     fn rest_forces(&self) -> Option<Vec<f64>> {

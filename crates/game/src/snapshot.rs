@@ -9,11 +9,12 @@ use crate::fall::FallDetector;
 use crate::game::Game;
 use crate::hand::controller::HandController;
 use crate::rest::RestDetector;
+use crate::rules::referee::Referee;
 use crate::simulator::Simulator;
 use crate::stiffness_ramp::{BlockForm, StiffnessRamp};
 
 /// Kind of a snapshot: name and version of its layout.
-const KIND: &[u8] = b"teeter-game\x00\x03";
+const KIND: &[u8] = b"teeter-game\x00\x04";
 
 /// Reason why bytes are no snapshot of a game.
 ///
@@ -49,6 +50,7 @@ struct State {
     ramp: StiffnessRamp,
     fall: FallDetector,
     rest: RestDetector,
+    referee: Option<Referee>,
     form: BlockForm,
     world: Vec<u8>,
 }
@@ -65,6 +67,7 @@ impl Game<World> {
             ramp: self.ramp.clone(),
             fall: self.fall.clone(),
             rest: self.rest.clone(),
+            referee: self.referee.clone(),
             form: self.simulator.block_form(),
             world: self.simulator.snapshot(),
         };
@@ -72,7 +75,7 @@ impl Game<World> {
     }
 
     /// Takes over a state of a game of the same scene and constants; it goes on bit for bit as that
-    /// one did.
+    /// one did. The rules come with the state.
     ///
     /// # Errors
     /// When the bytes are no snapshot of this version, or one of another world, or anything in them
@@ -86,14 +89,18 @@ impl Game<World> {
             return Err(RestoreError::Damaged);
         };
         let count = self.simulator.len();
-        if !numbers_within(&state, f64::MAX) || !state.controller.is_of(count) || !state.fall.is_of(count) {
+        let is_valid = numbers_within(&state, f64::MAX)
+            && state.controller.is_of(count)
+            && state.fall.is_of(count)
+            && state.referee.iter().all(|referee| referee.is_of(count));
+        if !is_valid {
             return Err(RestoreError::Damaged);
         }
         let mut world = self.simulator.clone();
         world.set_block_form(state.form).map_err(RestoreError::World)?;
         world.restore(&state.world).map_err(|error| RestoreError::World(error.to_string()))?;
-        let State { controller, ramp, fall, rest, .. } = state;
-        *self = Self { blocks: Blocks::of(&world), simulator: world, controller, ramp, fall, rest };
+        let State { controller, ramp, fall, rest, referee, .. } = state;
+        *self = Self { blocks: Blocks::of(&world), simulator: world, controller, ramp, fall, rest, referee };
         Ok(())
     }
 

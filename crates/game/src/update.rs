@@ -7,6 +7,9 @@ use teeter_scene::Form;
 
 use crate::fall::TowerState;
 use crate::hand::grip::{GripMode, HoldGrip};
+use crate::rules::illegal::Illegal;
+use crate::rules::throw::Throw;
+use crate::rules::turn::TurnState;
 use crate::tower_map::{CellId, Slot};
 
 /// State of a game after a frame; `R` is the report of its simulator.
@@ -42,6 +45,9 @@ pub struct Update<R> {
     pub form: Form,
     /// Stiffness of the springs within the blocks, N/m; none where they are rigid.
     pub spring_stiffness: Option<f64>,
+    /// State of the turn; none in free play.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub turn: Option<TurnState>,
     /// Events of the frame, in their order.
     pub events: Vec<Event>,
 }
@@ -144,4 +150,78 @@ pub enum Event {
         /// The reason, as one line.
         reason: String,
     },
+    /// A command was refused because the rules forbid it, and nothing changed.
+    Illegal {
+        /// The rule.
+        rule: Illegal,
+        /// The reason, as one line.
+        reason: String,
+    },
+    /// A turn began.
+    TurnStarted {
+        /// Player, from 0.
+        player: u32,
+        /// Number of the turn, from 1.
+        number: u32,
+    },
+    /// The die was thrown for the turn.
+    Thrown {
+        /// Its face.
+        throw: Throw,
+    },
+    /// A block was moved within the tower.
+    Nudged {
+        /// Player.
+        player: u32,
+        /// The block.
+        body: BodyId,
+    },
+    /// A block that was moved is back where it was.
+    PutBack {
+        /// Player.
+        player: u32,
+        /// The block.
+        body: BodyId,
+    },
+    /// A block came out of the tower.
+    Removed {
+        /// Player.
+        player: u32,
+        /// The block.
+        body: BodyId,
+    },
+    /// A turn ended with a block placed safely.
+    Settled {
+        /// Player.
+        player: u32,
+    },
+    /// A player scored.
+    Scored {
+        /// Player.
+        player: u32,
+        /// Points.
+        points: u32,
+    },
+    /// A player gave up.
+    Resigned {
+        /// Player.
+        player: u32,
+    },
+    /// A player ran out of time.
+    TimedOut {
+        /// Player.
+        player: u32,
+    },
+    /// The game ended, and this player lost it.
+    Lost {
+        /// Player.
+        player: u32,
+    },
+    /// The game ended, and this player won it.
+    Won {
+        /// Player.
+        player: u32,
+    },
+    /// The tower was rebuilt.
+    Rebuilt,
 }

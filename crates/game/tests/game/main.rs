@@ -4,4 +4,5 @@ mod common;
 mod determinism;
 mod hostile;
 mod play;
+mod rules;
 mod standing;
