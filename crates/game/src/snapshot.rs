@@ -1,7 +1,7 @@
 //! State of a game as bytes: that of the world, of the hand, and of the detectors.
 
 use serde::{Deserialize, Serialize};
-use teeter_physics::envelope::{EnvelopeError, open, seal};
+use teeter_physics::envelope::{EnvelopeError, checksum, open, seal};
 use teeter_physics::{World, numbers_within};
 
 use crate::blocks::Blocks;
@@ -102,6 +102,19 @@ impl Game<World> {
         let State { controller, ramp, fall, rest, referee, .. } = state;
         *self = Self { blocks: Blocks::of(&world), simulator: world, controller, ramp, fall, rest, referee };
         Ok(())
+    }
+
+    /// Hash of the whole state: that of the world, the hand, the detectors and the turns. Equal
+    /// hashes mean equal futures under equal commands.
+    ///
+    /// # Panics
+    /// Never: the state is plain numbers, which can always be written.
+    pub fn state_hash(&self) -> u64 {
+        let Self { controller, ramp, fall, rest, referee, .. } = self;
+        let rest_of_state = (controller, ramp, fall, rest, referee);
+        let mut bytes = postcard::to_stdvec(&rest_of_state).expect("plain numbers can always be written");
+        bytes.extend(self.hash().to_le_bytes());
+        checksum(&bytes)
     }
 
     /// Hash of the world's state: equal states have equal hashes on every target.

@@ -52,7 +52,10 @@ fn run(dir: &Path, args: &[&str]) -> Result<bool, Error> {
             let changed = mint(dir, reason)?;
             match changed.as_slice() {
                 [] => println!("no bit has changed: the golden results stay as they are, with their reason"),
-                names => println!("minted; changed: {}", names.join(", ")),
+                names => {
+                    println!("minted; changed: {}", names.join(", "));
+                    println!("write {} to crates/game/src/record/engine.rs", Golden::read(dir)?.bits());
+                }
             }
             Ok(true)
         }

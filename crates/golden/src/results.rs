@@ -4,6 +4,7 @@ use std::path::Path;
 
 use serde::{Deserialize, Serialize};
 use teeter_physics::Width;
+use teeter_physics::envelope::checksum;
 
 use crate::error::GoldenError;
 use crate::files::{read, write};
@@ -59,6 +60,12 @@ impl Golden {
     /// Returns the outcome of a run.
     pub fn outcome(&self, name: &str) -> Option<&Outcome> {
         self.runs.iter().find(|run| run.name == name).map(|run| &run.outcome)
+    }
+
+    /// Hash of all results, 16 hexadecimal digits: what names the engine in the records of games.
+    pub fn bits(&self) -> String {
+        let line = |run: &Minted| format!("{} {:?} {}\n", run.name, run.outcome.step_of_rest, run.outcome.hash);
+        format!("{:016x}", checksum(self.runs.iter().map(line).collect::<String>().as_bytes()))
     }
 }
 

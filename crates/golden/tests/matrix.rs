@@ -39,6 +39,14 @@ fn check(width: Width, threads: usize) {
     }
 }
 
+/// Records of games name the engine by its bits.
+#[test]
+fn the_identity_of_the_engine_is_that_of_its_golden_results() {
+    let bits = Golden::read(&dir()).unwrap().bits();
+    let id = teeter_game::engine_id();
+    assert_eq!(id.split_once('+').map(|(_, bits)| bits), Some(&*bits), "write it to crates/game/src/record/engine.rs");
+}
+
 #[test]
 fn portable_gives_the_golden_results() {
     check(Width::Portable, 1);

@@ -37,6 +37,6 @@ pub fn open<'a>(kind: &[u8], bytes: &'a [u8]) -> Result<&'a [u8], EnvelopeError>
 }
 
 /// Checksum of the content (XXH3, 64 bits).
-fn checksum(content: &[u8]) -> u64 {
+pub fn checksum(content: &[u8]) -> u64 {
     xxhash_rust::xxh3::xxh3_64(content)
 }

@@ -4,5 +4,6 @@ mod common;
 mod determinism;
 mod hostile;
 mod play;
+mod record;
 mod rules;
 mod standing;
