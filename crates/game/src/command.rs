@@ -96,6 +96,35 @@ pub enum Command {
     Rebuild,
 }
 
+impl Command {
+    /// The command with its lengths rounded to hundredths of a millimetre, and directions and
+    /// rotations to four decimals: what records store in the fewest bytes.
+    ///
+    /// ```
+    /// use glam::DVec3;
+    /// use teeter_game::Command;
+    ///
+    /// let step = |x| Command::Move { displacement: DVec3::X * x, slot: None, toward_viewer: None };
+    /// assert_eq!(step(0.001_234_567).rounded(), step(0.001_23));
+    /// ```
+    pub fn rounded(self) -> Self {
+        match self {
+            Self::Grasp { body, anchor, normal, grip } => {
+                Self::Grasp { body, anchor: (anchor * 1e5).round() / 1e5, normal: (normal * 1e4).round() / 1e4, grip }
+            }
+            Self::Move { displacement, slot, toward_viewer } => Self::Move {
+                displacement: (displacement * 1e5).round() / 1e5 + DVec3::ZERO,
+                slot,
+                toward_viewer: toward_viewer.map(|direction| (direction * 1e4).round() / 1e4),
+            },
+            Self::Turn { rotation } => {
+                Self::Turn { rotation: DQuat::from_array(rotation.to_array().map(|x| (x * 1e4).round() / 1e4)) }
+            }
+            other => other,
+        }
+    }
+}
+
 /// Reason to refuse a command. Nothing has changed then.
 ///
 /// ```

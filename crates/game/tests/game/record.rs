@@ -18,7 +18,7 @@ fn one_move(rows: u32) -> Record {
     let toward = recorder.game().blocks().orientation(body) * glam::DVec3::X;
     let mut script = TakeAndPlace::new(body, toward, 0.1, None);
     while let Some(command) = script.next(recorder.game()) {
-        recorder.step(&command).unwrap();
+        recorder.step(&command.rounded()).unwrap();
     }
     (0..70).for_each(|_| drop(recorder.step(&Command::Idle).unwrap()));
     assert_eq!(recorder.game().turn().unwrap().number, 2, "the block was placed");
