@@ -3,6 +3,7 @@
 mod common;
 mod determinism;
 mod hostile;
+mod legality;
 mod play;
 mod record;
 mod rules;
