@@ -73,7 +73,7 @@ fn command(game: &Game, random: &mut Random) -> Command {
     }
 }
 
-/// What must hold in every frame of a game by rules.
+/// Invariants of every frame of a game by rules.
 fn check_state(rules: &Rules, turn: &TurnState, update: &Update<StepReport>) {
     assert!(turn.player < rules.players);
     let is_over = turn.phase == Phase::Over;

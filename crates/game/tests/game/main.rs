@@ -5,6 +5,7 @@ mod determinism;
 mod hostile;
 mod legality;
 mod play;
+mod player;
 mod record;
 mod rules;
 mod standing;
