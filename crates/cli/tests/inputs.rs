@@ -38,6 +38,28 @@ fn error(inputs: &str) -> String {
     done.error_line().split_once("inputs.jsonl").unwrap().1.to_owned()
 }
 
+/// A column of two blocks, of which a hand takes the upper one and lays it beside the lower one.
+#[test]
+fn a_block_that_the_hand_lays_down_has_not_fallen() {
+    let column = TWO.replace("[0, 0.5, 0.009]", "[0, 0, 0.027]");
+    let carried = |velocity: &str, time: f64| {
+        format!(r#"{{"time": {time}, "hand": {{"block": 9, "grip": "carry", "velocity": {velocity}}}}}"#)
+    };
+    let lift = [("[0, 0, 0.02]", 0.2), ("[0, 0.1, 0]", 0.7), ("[0, 0, -0.02]", 1.2), ("[0, 0, 0]", 2.6)];
+    let lines: Vec<String> = lift.iter().map(|&(velocity, time)| carried(velocity, time)).collect();
+    let inputs = lines.join("\n") + "\n" + r#"{"time": 2.8, "hand": null}"#;
+    let report = |inputs: &str| -> serde_json::Value {
+        let done = run(&column, inputs, &["--seconds", "4", "--json"]);
+        serde_json::from_str(&done.out).unwrap_or_else(|_| panic!("{}", done.err))
+    };
+    let laid = report(&inputs);
+    assert_eq!((&laid["stands"], &laid["fell"]), (&true.into(), &serde_json::json!([])), "{laid}");
+    assert!(laid["sink_mm"].as_f64().unwrap() > 17.0, "the block is down: {laid}");
+    // one that is pushed off by a force has fallen
+    let pushed = report(r#"{"time": 0, "forces": [{"block": 9, "force": [0, 0.3, 0]}]}"#);
+    assert_eq!(pushed["fell"], serde_json::json!([9]), "{pushed}");
+}
+
 /// A force of twice the friction accelerates the block by friction / mass.
 #[test]
 fn a_force_acts_on_the_block_of_that_id_from_its_time() {

@@ -87,13 +87,13 @@ pub struct FallDetector {
 impl FallDetector {
     /// A detector for blocks that stand as they are.
     pub fn new(blocks: &Blocks) -> Self {
-        let count = blocks.len();
-        Self {
-            footing: Footing::new(&blocks.cuboids()),
-            care_until: vec![-1.0; count],
-            fallen: vec![false; count],
-            moving: false,
-        }
+        Self::with_footing(Footing::new(&blocks.cuboids()))
+    }
+
+    /// A detector for blocks that have stood as in a footing.
+    pub fn with_footing(footing: Footing) -> Self {
+        let count = footing.len();
+        Self { footing, care_until: vec![-1.0; count], fallen: vec![false; count], moving: false }
     }
 
     /// Advances to the end of a frame and returns the blocks that fell in it.

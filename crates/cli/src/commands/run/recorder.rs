@@ -1,8 +1,9 @@
 //! Measurements while a world runs.
 
-use teeter_physics::{EnergyBalance, StepReport, World};
+use teeter_game::{Blocks, FallDetector, FrameEnd};
+use teeter_physics::{BodyId, EnergyBalance, StepReport, World};
 use teeter_scene::Scene;
-use teeter_study::{Cuboid, Footing, ReferencePositions, max_height, scene_height};
+use teeter_study::{Footing, ReferencePositions, max_height, scene_height};
 
 use super::report::{EnergyReport, Report};
 use crate::warnings::Warnings;
@@ -17,10 +18,11 @@ pub struct Recorder {
     /// Height of the top without load, m: the sum of the tallest blocks of a tower.
     top: f64,
     start: ReferencePositions,
-    footing: Footing,
+    falls: FallDetector,
+    /// Blocks whose state ran away.
+    lost: Vec<BodyId>,
     /// Positions from which creep counts.
     settled: Option<ReferencePositions>,
-    fallen: Vec<bool>,
     displacement: f64,
     creep: Option<f64>,
     penetration: f64,
@@ -35,9 +37,9 @@ impl Recorder {
         Self {
             top: scene_height(scene),
             start: ReferencePositions::of(world),
-            footing: Footing::of_scene(scene),
+            falls: FallDetector::with_footing(Footing::of_scene(scene)),
+            lost: Vec::new(),
             settled: None,
-            fallen: vec![false; world.len()],
             displacement: 0.0,
             creep: None,
             penetration: 0.0,
@@ -47,12 +49,10 @@ impl Recorder {
         }
     }
 
-    /// Records a step of the world.
-    pub fn record(&mut self, world: &World, step: &StepReport) {
-        for body in &step.quarantined {
-            self.fallen[body.index()] = true;
-        }
-        self.footing.mark_fallen(&Cuboid::all(world), |_| false, &mut self.fallen);
+    /// Records a step of the world with a body in the hand.
+    pub fn record(&mut self, world: &World, step: &StepReport, held: Option<BodyId>) {
+        self.lost.extend(&step.quarantined);
+        self.falls.observe(&Blocks::of(world), FrameEnd { time: step.time, max_speed: step.rms_speed, held });
         self.displacement = self.displacement.max(self.start.max_displacement(world));
         self.penetration = self.penetration.max(step.penetration);
         self.rms_speed = step.rms_speed;
@@ -78,8 +78,10 @@ impl Recorder {
 
     /// Returns the report at the end of a run.
     pub fn report(&self, scene: &Scene, world: &World, cpu_s: f64, warnings: Warnings) -> Report {
-        let blocks = scene.blocks.iter().zip(&self.fallen);
-        let fell: Vec<u32> = blocks.filter(|(_, fell)| **fell).map(|(block, _)| block.id).collect();
+        let mut fallen = vec![false; world.len()];
+        self.falls.fallen().iter().chain(&self.lost).for_each(|body| fallen[body.index()] = true);
+        let blocks = scene.blocks.iter().zip(fallen);
+        let fell: Vec<u32> = blocks.filter(|(_, fell)| *fell).map(|(block, _)| block.id).collect();
         Report {
             stands: fell.is_empty(),
             fell,

@@ -39,13 +39,14 @@ impl<'a> Simulation<'a> {
         self.trace()?;
         for _ in 0..frames {
             let input = self.timeline.input(&self.world);
+            let held = input.hand.as_ref().map(|hand| hand.body);
             let clock = ProcessTime::now();
             let step = self.world.step(input);
             self.cpu_s += clock.elapsed().as_secs_f64();
             if !step.quarantined.is_empty() {
                 bar.suspend(|| self.warnings.add_quarantined(self.scene, &step));
             }
-            self.recorder.record(&self.world, &step);
+            self.recorder.record(&self.world, &step, held);
             self.trace()?;
             bar.inc(1);
         }
