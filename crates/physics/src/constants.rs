@@ -120,6 +120,9 @@ pub const MIN_SUNK_DEPTH: f64 = 1e-6;
 /// impact, so that fading does little work.
 pub const FREE_DEPTH_RATE: f64 = 0.05;
 
+/// Depth to which the weight on a contact may press it, over the smallest edge of its blocks: half
+/// of [`START_REACH`], since what drops onto a contact presses it twice as deep.
+pub const MAX_SAG: f64 = 0.05;
 /// Gap up to which blocks touch at the start, m: the rounding of files with five digits.
 pub const TOUCH_GAP: f64 = 2e-5;
 /// Time over which gravity grows while a new world settles, s.

@@ -7,6 +7,7 @@ use crate::actuator::hand::HandTarget;
 use crate::actuator::limits::{self, shortened};
 use crate::body::{Bodies, FLOOR, Shapes, point_speed};
 use crate::body_id::BodyId;
+use crate::build_error::BuildError;
 use crate::cluster::partition::Clusters;
 use crate::cluster::{Cluster, rest};
 use crate::collision::broad_phase::{Aabb, exceeds_pairs};
@@ -16,65 +17,11 @@ use crate::derived::{Derived, Masses};
 use crate::input::AppliedForce;
 use crate::kernel::any_kernel::AnyKernel;
 use crate::lattice::particles::Particles;
+use crate::overload;
 use crate::params::Params;
 use crate::pose::{POSE_STRIDE, Pose, Twist};
 use crate::report::{ContactReport, LatticeReport};
 use crate::simd::float_mode::FloatMode;
-
-/// Error of [`World::new`] and [`World::set_form`].
-///
-/// ```
-/// use teeter_physics::{BuildError, Params, World};
-///
-/// let mut scene = teeter_scene::named("column").unwrap();
-/// scene.blocks[2].mass = -1.0;
-/// let error = World::new(&scene, Params::default()).unwrap_err();
-/// assert!(matches!(error, BuildError::Scene(_)));
-/// assert!(error.to_string().contains("mass"), "{error}");
-/// ```
-#[derive(Debug, Clone, PartialEq, thiserror::Error)]
-pub enum BuildError {
-    /// A constant of the run is out of its range.
-    #[error("parameter `{field}` is {value}, expected {expected}")]
-    Param {
-        /// Name of the field.
-        field: &'static str,
-        /// Its value.
-        value: f64,
-        /// The range expected.
-        expected: &'static str,
-    },
-    /// More blocks are near each other than a world can hold.
-    #[error(
-        "the bounding boxes of more than {limit} pairs of blocks overlap: long blocks at an angle \
-         are too dense, use fewer or shorter ones, or turn them along x and y"
-    )]
-    Crowded {
-        /// Maximum number of pairs.
-        limit: usize,
-    },
-    /// The lightest block needs more substeps than a frame may have.
-    #[error(
-        "block {id}: `mass` is {mass:.1e} kg, which takes {substeps:.1e} substeps a frame at this stiffness, and \
-         at most {MAX_SUBSTEPS} are run: expected at least {min_mass:.1e} kg, or contacts and springs softer by \
-         a factor of {factor:.1e}"
-    )]
-    Substeps {
-        /// Id of the block.
-        id: u32,
-        /// Its mass, kg.
-        mass: f64,
-        /// Substeps of a frame that it takes.
-        substeps: f64,
-        /// Smallest mass that the substeps allow, kg.
-        min_mass: f64,
-        /// Factor by which the stiffness is too large.
-        factor: f64,
-    },
-    /// The scene cannot be simulated.
-    #[error(transparent)]
-    Scene(#[from] teeter_scene::SceneError),
-}
 
 /// Bodies and contacts in time. All of its future follows from the scene, the [`Params`] and the
 /// [`Input`](crate::Input)s.
@@ -142,6 +89,7 @@ impl World {
             params,
         };
         world.write_poses();
+        overload::check(&world.clusters.list[0], scene)?;
         if params.ramp == 0.0 {
             world.settle_start();
         }

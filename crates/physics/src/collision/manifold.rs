@@ -12,6 +12,10 @@ use crate::collision::friction_levers::FrictionLevers;
 use crate::collision::polygon::{MAX_CORNERS, Patch};
 use crate::constants::{MIN_AREA, REFERENCE_AREA};
 
+/// Part of the mobility along two tangents apart below which that along both is used. The limit of
+/// stability has that much to spare, and the stiffness of towers does not depend on rounding.
+const OVERSTATED: f64 = 0.5;
+
 /// Separating axis of a pair.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
 pub enum SeparatingAxis {
@@ -188,7 +192,17 @@ impl Manifold {
             (self.variance(k) * inv, offset * offset * inv)
         };
         let ((spread0, offset0), (spread1, offset1)) = (rotation(0), rotation(1));
-        mass.recip().max(spread0).max(spread1) + offset0 + offset1
+        let apart = mass.recip().max(spread0).max(spread1) + offset0 + offset1;
+        // The tangents apart are right where they are along the axes of patch and body. A long block
+        // at an angle with them would seem to yield to all of its length about its thinnest axis.
+        let [b00, b01, b11] = [(1, 1), (1, 0), (0, 0)].map(|(i, j)| tangents[i].dot(inv_inertia * tangents[j]));
+        let (c00, c01, c11) = (self.variance(0), self.covariance(), self.variance(1));
+        let half_trace = 0.5 * (c00 * b00 + c11 * b11) - c01 * b01;
+        let determinant = (c00 * c11 - c01 * c01) * (b00 * b11 - b01 * b01);
+        let spread = half_trace + (half_trace * half_trace - determinant).max(0.0).sqrt();
+        let offsets = offset0 + offset1 - 2.0 * to_centroid.dot(tangents[0]) * to_centroid.dot(tangents[1]) * b01;
+        let together = mass.recip().max(spread) + offsets;
+        if together < OVERSTATED * apart { together } else { apart }
     }
 
     /// Inverse effective mass of a block of particles at this patch, 1/kg, which includes its
@@ -216,6 +230,11 @@ impl Manifold {
     /// Variance of the points along tangent `k`, m².
     fn variance(&self, k: usize) -> f64 {
         self.points.iter().map(|p| p.weight * p.arm[k] * p.arm[k]).sum::<f64>()
+    }
+
+    /// Covariance of the points along both tangents, m².
+    fn covariance(&self) -> f64 {
+        self.points.iter().map(|p| p.weight * p.arm[0] * p.arm[1]).sum::<f64>()
     }
 
     /// Lever of friction along the tangents, and turning arm, of each point, m.
