@@ -4,6 +4,10 @@
 use glam::DVec3;
 use wide::f64x4;
 
+/// Bits of a comparison that holds in each lane. One branch on them is faster than `f64x4::all`, which
+/// has one for each half of a register.
+const ALL_LANES: u32 = 0b1111;
+
 /// Axis-aligned box. A register holds a corner, with zero behind its coordinates.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Bounds {
@@ -47,13 +51,13 @@ impl Bounds {
     /// Returns true if two boxes share a point.
     #[inline]
     pub fn overlaps(&self, other: &Self) -> bool {
-        (self.min.simd_le(other.max) & other.min.simd_le(self.max)).all()
+        (self.min.simd_le(other.max) & other.min.simd_le(self.max)).to_bitmask() == ALL_LANES
     }
 
     /// Returns true if another box lies within.
     #[inline]
     pub fn encloses(&self, other: &Self) -> bool {
-        (self.min.simd_le(other.min) & other.max.simd_le(self.max)).all()
+        (self.min.simd_le(other.min) & other.max.simd_le(self.max)).to_bitmask() == ALL_LANES
     }
 }
 

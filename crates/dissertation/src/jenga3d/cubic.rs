@@ -80,7 +80,10 @@ impl Cubic {
         let Cubic { a, b, c, d } = *self;
         // The middle two are scaled by three.
         let (p0, p1, p2, p3) = (d, 3.0 * d + c, 3.0 * d + 2.0 * c + b, d + c + b + a);
-        !((p0 > 0.0 && p1 > 0.0 && p2 > 0.0 && p3 > 0.0) || (p0 < 0.0 && p1 < 0.0 && p2 < 0.0 && p3 < 0.0))
+        // One branch for the caller: the signs of most are not predictable.
+        let positive = (p0 > 0.0) & (p1 > 0.0) & (p2 > 0.0) & (p3 > 0.0);
+        let negative = (p0 < 0.0) & (p1 < 0.0) & (p2 < 0.0) & (p3 < 0.0);
+        !(positive | negative)
     }
 
     /// Returns the arguments from 0 to 1, inclusive, where the sign changes.
