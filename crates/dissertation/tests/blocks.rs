@@ -3,6 +3,7 @@
 use glam::DVec3;
 use teeter_dissertation::jenga3d::face::normal;
 use teeter_dissertation::jenga3d::forces::{Sources, compute_forces};
+use teeter_dissertation::jenga3d::hand::{drag_in_depth, drag_in_plane};
 use teeter_dissertation::jenga3d::pick::{Ray, pick};
 use teeter_dissertation::jenga3d::{Constants, Disabling, Hand, HandMode, Jenga3D, block::*};
 use teeter_scene::{TowerOptions, named, tower};
@@ -225,4 +226,23 @@ fn a_ray_picks_the_nearest_block() {
     assert_eq!(pick(&three.model, &three.curr, &beside), None);
     let behind = Ray { origin: centres[1] + 0.5 * across, direction: across };
     assert_eq!(pick(&three.model, &three.curr, &behind), None);
+}
+
+/// The left button moves a block to where the ray of the pointer meets the plane through its centre
+/// that faces the viewer, the right one along the line of sight (section 4.8).
+#[test]
+fn drags_end_in_the_plane_of_the_screen_and_in_depth() {
+    let ray = Ray { origin: DVec3::new(1.0, 2.0, 5.0), direction: DVec3::new(0.5, 0.25, -2.0) };
+    let centre = DVec3::new(7.0, -3.0, 1.0);
+    assert_eq!(drag_in_plane(&ray, DVec3::Z, centre), Some(DVec3::new(2.0, 2.5, 1.0)));
+    let towards_viewer = DVec3::new(0.6, 0.0, 0.8);
+    let target = drag_in_plane(&ray, towards_viewer, centre).expect("the ray is not parallel to the plane");
+    assert!((target - centre).dot(towards_viewer).abs() < 1e-12, "{target}");
+    assert!((target - ray.origin).cross(ray.direction).length() < 1e-12, "{target}");
+    let parallel = Ray { direction: DVec3::X, ..ray };
+    assert_eq!(drag_in_plane(&parallel, DVec3::Z, centre), None);
+
+    let pulled = drag_in_depth(towards_viewer, centre, 0.5);
+    assert!(pulled.distance(DVec3::new(7.3, -3.0, 1.4)) < 1e-12, "{pulled}");
+    assert!(drag_in_depth(towards_viewer, pulled, -0.5).distance(centre) < 1e-12);
 }

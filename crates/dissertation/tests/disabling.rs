@@ -166,3 +166,17 @@ fn a_thrown_block_starts_its_rest_again() {
     frames(&mut one, 2);
     assert_eq!(disabled(&one), 1);
 }
+
+/// The distance is the largest that still counts as rest: at zero a block rests that does not move
+/// at all.
+#[test]
+fn a_block_that_does_not_move_rests_within_no_distance() {
+    let constants = Constants { gravity: 0.0, rest_distance: 0.0, ..rigid() };
+    let mut one = Jenga3D::new(&named("block").unwrap(), constants).unwrap();
+    let start = one.curr.clone();
+    for _ in 0..20 {
+        one.frame(None);
+    }
+    assert!(one.curr.iter().zip(&start).all(|(now, start)| now.position == start.position));
+    assert_eq!(disabled(&one), 1);
+}
