@@ -34,7 +34,10 @@ pub struct PixelGrid<'a> {
 enum Visible {
     /// Block, and the point at which the ray meets it.
     Block(Hit, Vec3),
-    Table,
+    /// Table; further points may join its group while it is open.
+    Table {
+        open: bool,
+    },
     Background,
 }
 
@@ -52,7 +55,7 @@ impl Visible {
     fn key(&self) -> (u32, IVec3) {
         match self {
             Self::Block(hit, _) => (hit.block, hit.part),
-            Self::Table => (u32::MAX, IVec3::ZERO),
+            Self::Table { open } => (u32::MAX, IVec3::splat(i32::from(*open))),
             Self::Background => (u32::MAX - 1, IVec3::ZERO),
         }
     }
@@ -72,6 +75,8 @@ impl PixelGrid<'_> {
                 let offset = (row as f32 + 0.5) / GRID as f32;
                 let point = ((column as f32 + offset) / GRID as f32, (row as f32 + 0.5) / GRID as f32);
                 self.add(groups, corner, point);
+                // At the foot of a block the table is dark or light within one pixel.
+                split_table(groups);
             }
         }
         let points: u32 = groups.iter().map(|group| group.count).sum();
@@ -97,7 +102,7 @@ impl PixelGrid<'_> {
         let floor = -ray.origin.z / ray.direction.z;
         match self.stage.solids.first_hit(ray) {
             Some(hit) if floor < 0.0 || hit.distance < floor => Visible::Block(hit, ray.at(hit.distance)),
-            _ if floor > 0.0 => Visible::Table,
+            _ if floor > 0.0 => Visible::Table { open: true },
             _ => Visible::Background,
         }
     }
@@ -108,7 +113,7 @@ impl PixelGrid<'_> {
         let background = || table::background(x / self.size.width as f32, y / self.size.height as f32);
         match &group.visible {
             Visible::Block(hit, anchor) => self.wood(hit, *anchor, (x, y)),
-            Visible::Table => {
+            Visible::Table { .. } => {
                 let ray = self.lens.ray(x, y);
                 let point = intersect(&ray, Vec3::ZERO, Vec3::Z);
                 let opacity = self.materials.table.opacity(point);
@@ -155,6 +160,13 @@ impl PixelGrid<'_> {
         let Materials { sun, lights, .. } = self.materials;
         // A side that is turned away gets no light that a shadow could take.
         if normal.dot(lights.sun_direction) <= 0.0 { 1.0 } else { sun.light(&self.stage.solids, point, normal) }
+    }
+}
+
+/// Closes the last group where it is of the table, so that each of its points has its own colour.
+fn split_table(groups: &mut [Group]) {
+    if let Some(group) = groups.iter_mut().find(|group| matches!(group.visible, Visible::Table { open: true })) {
+        group.visible = Visible::Table { open: false };
     }
 }
 
