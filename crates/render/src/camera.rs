@@ -1,6 +1,6 @@
 //! The camera: orbits a point, as on the page.
 
-use glam::Vec3;
+use glam::{DVec3, Vec3};
 
 use crate::picture::Size;
 use crate::ray::Ray;
@@ -128,6 +128,11 @@ pub struct Lens {
 }
 
 impl Lens {
+    /// Returns the lens in coordinates with another origin, m.
+    pub(crate) fn seen_from(self, origin: DVec3) -> Self {
+        Self { position: (self.position.as_dvec3() - origin).as_vec3(), ..self }
+    }
+
     /// Returns the ray through a point of the picture, px from the upper left corner.
     pub fn ray(&self, x: f32, y: f32) -> Ray {
         Ray { origin: self.position, direction: (self.corner + x * self.right + y * self.down).normalize() }

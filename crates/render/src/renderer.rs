@@ -1,6 +1,6 @@
 //! The renderer: casts rays through the pixels of a picture and colours what they meet.
 
-use glam::Vec3;
+use glam::{DVec3, Vec3};
 use rayon::prelude::*;
 use teeter_physics::Pose;
 use teeter_scene::Scene;
@@ -21,6 +21,9 @@ use crate::stage::{Materials, Stage};
 /// Distance from the first poses within which blocks darken their surroundings, m: far beyond the
 /// blocks of a tower that falls.
 const SURROUNDINGS: f32 = 2.0;
+/// Distance of a scene from the origin up to which it is drawn there, m. Single precision has too
+/// few digits for the grain of blocks that are farther away.
+const NEAR: f64 = 8.0;
 
 /// Draws the blocks of a scene.
 ///
@@ -39,6 +42,8 @@ const SURROUNDINGS: f32 = 2.0;
 #[derive(Debug)]
 pub struct Renderer {
     shapes: Vec<Shape>,
+    /// Origin of the coordinates in which the scene is drawn, m.
+    origin: DVec3,
     materials: Materials,
     /// Bounds within which blocks darken their surroundings, m.
     limits: Bounds,
@@ -62,9 +67,14 @@ impl Renderer {
         let shapes: Vec<Shape> = scene.blocks.iter().map(shape).collect();
         let logs = (0..shapes.len() as u32).map(Log::new).collect();
         let lights = Lights::new();
-        let bounds = solids(&shapes, &poses(scene)).bounds();
+        let poses = poses(scene);
+        let middle = solids(&shapes, &poses, DVec3::ZERO).bounds().centre().as_dvec3();
+        let far = middle.is_finite() && middle.abs().max_element() > NEAR;
+        let origin = if far { middle.round().with_z(0.0) } else { DVec3::ZERO };
+        let bounds = solids(&shapes, &poses, origin).bounds();
         Self {
             shapes,
+            origin,
             materials: Materials { logs, lights, sun: SunDisc::new(lights.sun_direction), table: Table::new(bounds) },
             limits: bounds.grown(SURROUNDINGS),
         }
@@ -75,7 +85,7 @@ impl Renderer {
     /// # Panics
     /// When there is not one pose a block.
     pub fn camera(&self, view: &View, poses: &[Pose], size: Size) -> Camera {
-        let solids = solids(&self.shapes, poses);
+        let solids = solids(&self.shapes, poses, DVec3::ZERO);
         let corners: Vec<Vec3> = solids.list().iter().flat_map(Solid::corners).collect();
         view.camera(&corners, size)
     }
@@ -86,10 +96,15 @@ impl Renderer {
     /// # Panics
     /// When there is not one pose a block.
     pub fn draw(&self, poses: &[Pose], camera: &Camera, size: Size) -> Picture {
-        let solids = solids(&self.shapes, poses);
+        let solids = solids(&self.shapes, poses, self.origin);
         let occlusion = Occlusion::new(&solids, self.limits);
         let stage = Stage { solids, occlusion };
-        let grid = PixelGrid { materials: &self.materials, stage: &stage, lens: camera.lens(size), size };
+        let grid = PixelGrid {
+            materials: &self.materials,
+            stage: &stage,
+            lens: camera.lens(size).seen_from(self.origin),
+            size,
+        };
         let mut rgb = vec![0; 3 * size.width as usize * size.height as usize];
         rgb.par_chunks_exact_mut(3 * size.width as usize).enumerate().for_each_init(Vec::new, |groups, (y, row)| {
             for (x, pixel) in row.chunks_exact_mut(3).enumerate() {
@@ -100,7 +115,10 @@ impl Renderer {
     }
 }
 
-fn solids(shapes: &[Shape], poses: &[Pose]) -> Solids {
+/// Returns the blocks in these poses, relative to an origin.
+fn solids(shapes: &[Shape], poses: &[Pose], origin: DVec3) -> Solids {
     assert_eq!(shapes.len(), poses.len(), "there is one pose a block");
-    Solids::new(shapes.iter().zip(poses).map(|(&shape, pose)| Solid::new(shape, pose)).collect())
+    let solid =
+        |(&shape, pose): (&Shape, &Pose)| Solid::new(shape, &Pose { position: pose.position - origin, ..*pose });
+    Solids::new(shapes.iter().zip(poses).map(solid).collect())
 }

@@ -152,6 +152,25 @@ fn the_default_view_frames_all_blocks() {
     assert!(camera.position().distance(page) < 2e-3, "{}", camera.position());
 }
 
+/// Single precision places a block at 900 m to a sixteenth of a millimetre, and its picture shows
+/// nothing of that.
+#[test]
+fn a_scene_far_from_the_origin_has_the_picture_of_a_near_one() {
+    let near = named("test-6").unwrap();
+    let mut far = near.clone();
+    far.blocks.iter_mut().for_each(|block| {
+        block.pos[0] += 900.0;
+        block.pos[1] -= 700.0;
+    });
+    let [near, far] = [near, far].map(|scene| {
+        let renderer = Renderer::new(&scene);
+        let camera = renderer.camera(&View::default(), &poses(&scene), SIZE);
+        renderer.draw(&poses(&scene), &camera, SIZE)
+    });
+    let differ = near.rgb.iter().zip(&far.rgb).filter(|(a, b)| a.abs_diff(**b) > 25).count();
+    assert!(differ < near.rgb.len() / 200, "{differ}");
+}
+
 #[test]
 fn a_scene_without_blocks_is_a_table() {
     let scene = cubes(0.1, &[]);

@@ -184,9 +184,7 @@ mod tests {
     /// A film of the largest and of the smallest size is encoded.
     #[test]
     fn films_of_the_largest_and_the_smallest_size_are_encoded() {
-        for size in
-            [Size { width: 3840, height: 2160 }, Size { width: 2160, height: 3840 }, Size { width: 16, height: 16 }]
-        {
+        for size in [Size { width: 2160, height: 3840 }, Size { width: 16, height: 16 }] {
             let mut film = Mp4::new(Vec::new(), size, 60.0).unwrap();
             film.add(&Picture { size, rgb: vec![90; 3 * (size.width * size.height) as usize] }).unwrap();
             assert_eq!(&film.finish().unwrap()[4..8], b"ftyp");
