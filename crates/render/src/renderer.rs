@@ -17,6 +17,7 @@ use crate::shading::wood::Log;
 use crate::shape::Shape;
 use crate::solids::{Solid, Solids};
 use crate::stage::{Materials, Stage};
+use crate::strained_pose::{StrainedPose, poses};
 
 /// Distance from the first poses within which blocks darken their surroundings, m: far beyond the
 /// blocks of a tower that falls.
@@ -49,15 +50,6 @@ pub struct Renderer {
     limits: Bounds,
 }
 
-/// Returns the poses of the blocks of a scene as it stands, before it settles.
-pub fn poses(scene: &Scene) -> Vec<Pose> {
-    let pose = |block: &teeter_scene::Block| Pose {
-        position: block.pos.into(),
-        orientation: glam::DQuat::from_array(block.rotation()),
-    };
-    scene.blocks.iter().map(pose).collect()
-}
-
 impl Renderer {
     /// Prepares the blocks of a scene.
     pub fn new(scene: &Scene) -> Self {
@@ -84,7 +76,7 @@ impl Renderer {
     ///
     /// # Panics
     /// When there is not one pose a block.
-    pub fn camera(&self, view: &View, poses: &[Pose], size: Size) -> Camera {
+    pub fn camera(&self, view: &View, poses: &[StrainedPose], size: Size) -> Camera {
         let solids = solids(&self.shapes, poses, DVec3::ZERO);
         let corners: Vec<Vec3> = solids.list().iter().flat_map(Solid::corners).collect();
         view.camera(&corners, size)
@@ -95,7 +87,7 @@ impl Renderer {
     ///
     /// # Panics
     /// When there is not one pose a block.
-    pub fn draw(&self, poses: &[Pose], camera: &Camera, size: Size) -> Picture {
+    pub fn draw(&self, poses: &[StrainedPose], camera: &Camera, size: Size) -> Picture {
         let solids = solids(&self.shapes, poses, self.origin);
         let occlusion = Occlusion::new(&solids, self.limits);
         let stage = Stage { solids, occlusion };
@@ -116,9 +108,11 @@ impl Renderer {
 }
 
 /// Returns the blocks in these poses, relative to an origin.
-fn solids(shapes: &[Shape], poses: &[Pose], origin: DVec3) -> Solids {
+fn solids(shapes: &[Shape], poses: &[StrainedPose], origin: DVec3) -> Solids {
     assert_eq!(shapes.len(), poses.len(), "there is one pose a block");
-    let solid =
-        |(&shape, pose): (&Shape, &Pose)| Solid::new(shape, &Pose { position: pose.position - origin, ..*pose });
+    let solid = |(&shape, strained): (&Shape, &StrainedPose)| {
+        let pose = Pose { position: strained.pose.position - origin, ..strained.pose };
+        Solid::new(shape, &StrainedPose { pose, ..*strained })
+    };
     Solids::new(shapes.iter().zip(poses).map(solid).collect())
 }

@@ -1,12 +1,12 @@
 //! Blocks in their poses, as the rays meet them.
 
-use glam::{DMat3, IVec3, Mat3, Vec3};
-use teeter_physics::Pose;
+use glam::{IVec3, Mat3, Vec3};
 
 use crate::bounds::Bounds;
 use crate::bvh::Bvh;
 use crate::ray::Ray;
 use crate::shape::Shape;
+use crate::strained_pose::StrainedPose;
 
 /// Block in its pose.
 #[derive(Debug, Clone, Copy)]
@@ -14,8 +14,9 @@ pub struct Solid {
     shape: Shape,
     /// Centre, m.
     centre: Vec3,
-    /// Axes of the block, as columns.
+    /// Map of directions of the block's frame to the world, and its inverse.
     axes: Mat3,
+    inverse: Mat3,
 }
 
 /// Point at which a ray enters a block.
@@ -35,9 +36,9 @@ pub struct Hit {
 
 impl Solid {
     /// Returns a block in a pose.
-    pub fn new(shape: Shape, pose: &Pose) -> Self {
-        let axes = DMat3::from_quat(pose.orientation).as_mat3();
-        Self { shape, centre: pose.position.as_vec3(), axes }
+    pub fn new(shape: Shape, pose: &StrainedPose) -> Self {
+        let axes = pose.axes();
+        Self { shape, centre: pose.pose.position.as_vec3(), axes: axes.as_mat3(), inverse: axes.inverse().as_mat3() }
     }
 
     /// Returns a point of the world in the block's frame, m.
@@ -47,7 +48,7 @@ impl Solid {
 
     /// Returns a direction of the world in the block's frame.
     pub fn local_direction(&self, direction: Vec3) -> Vec3 {
-        self.axes.transpose() * direction
+        self.inverse * direction
     }
 
     /// Half edges, m.
@@ -115,7 +116,7 @@ impl Solids {
         });
         first.map(|(block, entry)| {
             let local_normal = entry.normal.normalize();
-            let normal = self.list[block as usize].axes * local_normal;
+            let normal = (self.list[block as usize].inverse.transpose() * local_normal).normalize();
             Hit { block, distance: entry.distance, normal, local_normal, part: entry.part }
         })
     }
@@ -135,6 +136,7 @@ impl Solids {
 #[cfg(test)]
 mod tests {
     use glam::{DQuat, DVec3};
+    use teeter_physics::Pose;
 
     use super::*;
 
@@ -146,7 +148,8 @@ mod tests {
                 let n = f64::from(i.wrapping_mul(2_654_435_761) >> 16) / 65536.0;
                 let position = DVec3::new(f64::from(i % 10) * 0.07, f64::from(i / 10) * 0.05, 0.3 * n);
                 let axis = DVec3::new(1.0, n, 2.0 - 3.0 * n).normalize();
-                Solid::new(shape, &Pose { position, orientation: DQuat::from_xyzw(axis.x, axis.y, axis.z, 0.0) })
+                let orientation = DQuat::from_xyzw(axis.x, axis.y, axis.z, 0.0);
+                Solid::new(shape, &Pose { position, orientation }.into())
             })
             .collect()
     }

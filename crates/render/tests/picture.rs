@@ -140,7 +140,7 @@ fn the_default_view_frames_all_blocks() {
             let camera = renderer.camera(&View::default(), &poses(&scene), size);
             let lens = camera.lens(size);
             for pose in poses(&scene) {
-                let (x, y) = lens.project(pose.position.as_vec3()).unwrap();
+                let (x, y) = lens.project(pose.pose.position.as_vec3()).unwrap();
                 assert!(x > 0.0 && x < size.width as f32 && y > 0.0 && y < size.height as f32, "{name}: {x}, {y}");
             }
         }

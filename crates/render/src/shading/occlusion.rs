@@ -111,7 +111,7 @@ mod tests {
 
     fn cube_at(x: f64) -> Occlusion {
         let pose = Pose { position: DVec3::new(x, 0.0, 0.03), orientation: DQuat::IDENTITY };
-        let solids = Solids::new(vec![Solid::new(Shape::new(Vec3::splat(0.06), 0.0), &pose)]);
+        let solids = Solids::new(vec![Solid::new(Shape::new(Vec3::splat(0.06), 0.0), &pose.into())]);
         Occlusion::new(&solids, solids.bounds())
     }
 

@@ -1,7 +1,7 @@
 //! Poses over time: the seam between pictures and their source.
 
-use teeter_physics::{Params, Pose, World};
-use teeter_render::poses;
+use teeter_physics::{Params, World};
+use teeter_render::{StrainedPose, poses};
 use teeter_scene::Scene;
 use teeter_study::Timeline;
 
@@ -12,7 +12,7 @@ use crate::warnings::Warnings;
 pub trait Motion {
     /// Returns the poses of all blocks, in the order of the scene, at a time, s. The times of
     /// consecutive calls do not decrease.
-    fn poses(&mut self, time: f64) -> Vec<Pose>;
+    fn poses(&mut self, time: f64) -> Vec<StrainedPose>;
 
     /// Returns the warnings of the motion, at its end.
     fn warnings(self: Box<Self>) -> Warnings;
@@ -20,7 +20,7 @@ pub trait Motion {
 
 /// Scene as it stands.
 pub struct Still {
-    poses: Vec<Pose>,
+    poses: Vec<StrainedPose>,
     warnings: Warnings,
 }
 
@@ -34,7 +34,7 @@ impl Still {
 }
 
 impl Motion for Still {
-    fn poses(&mut self, _time: f64) -> Vec<Pose> {
+    fn poses(&mut self, _time: f64) -> Vec<StrainedPose> {
         self.poses.clone()
     }
 
@@ -50,7 +50,7 @@ pub struct Simulated<'a> {
     timeline: Timeline,
     warnings: Warnings,
     /// State before the last step, whose duration is `frame`, s.
-    before: Vec<Pose>,
+    before: Vec<StrainedPose>,
     frame: f64,
 }
 
@@ -66,7 +66,7 @@ impl<'a> Simulated<'a> {
 }
 
 impl Motion for Simulated<'_> {
-    fn poses(&mut self, time: f64) -> Vec<Pose> {
+    fn poses(&mut self, time: f64) -> Vec<StrainedPose> {
         // The time of a world is a sum of frames.
         while self.world.time() + 1e-9 < time {
             self.before = poses_of(&self.world);
@@ -76,7 +76,7 @@ impl Motion for Simulated<'_> {
         }
         let after = poses_of(&self.world);
         let part = (1.0 - (self.world.time() - time) / self.frame).clamp(0.0, 1.0);
-        self.before.iter().zip(&after).map(|(before, after)| between(before, after, part)).collect()
+        self.before.iter().zip(&after).map(|(before, after)| before.lerp(after, part)).collect()
     }
 
     fn warnings(mut self: Box<Self>) -> Warnings {
@@ -85,17 +85,8 @@ impl Motion for Simulated<'_> {
     }
 }
 
-fn poses_of(world: &World) -> Vec<Pose> {
-    world.bodies().map(|body| world.pose(body)).collect()
-}
-
-/// Returns a pose between two, `before` at 0 and `after` at 1.
-fn between(before: &Pose, after: &Pose, part: f64) -> Pose {
-    Pose {
-        position: before.position.lerp(after.position, part),
-        // The shorter of the two rotations, as two quaternions of one orientation differ in sign.
-        orientation: before.orientation.lerp(after.orientation, part),
-    }
+fn poses_of(world: &World) -> Vec<StrainedPose> {
+    world.bodies().map(|body| StrainedPose::of(world, body)).collect()
 }
 
 #[cfg(test)]
@@ -111,7 +102,7 @@ mod tests {
         scene.blocks[0].pos[2] = 1.0;
         let heights = |times: &[f64]| -> Vec<f64> {
             let mut motion = Simulated::new(&scene, Params::default(), Timeline::default()).unwrap();
-            times.iter().map(|&time| motion.poses(time)[0].position.z).collect()
+            times.iter().map(|&time| motion.poses(time)[0].pose.position.z).collect()
         };
         let frame = Params::default().frame;
         let frames = heights(&[10.0 * frame, 11.0 * frame]);
