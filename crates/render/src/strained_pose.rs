@@ -30,8 +30,8 @@ impl From<Pose> for StrainedPose {
 }
 
 impl StrainedPose {
-    /// Returns the pose of a body of a world. The strain of a lattice is that of the affine map which
-    /// fits its particles best, as the surfaces of the block follow it in the engine.
+    /// Returns the pose of a body of a world. The strain of a lattice is that of the affine map
+    /// which fits its particles best, as the surfaces of the block follow it in the engine.
     ///
     /// # Panics
     /// When the body is of another world.
