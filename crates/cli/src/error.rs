@@ -5,6 +5,7 @@ use std::process::ExitCode;
 
 use clap::error::ErrorKind;
 use teeter_dissertation::jenga3d::{self, ConstantError, IniError};
+use teeter_game::{RecordError, RulesError};
 use teeter_physics::BuildError;
 use teeter_render::FilmError;
 use teeter_report::score::LabelledError;
@@ -16,6 +17,8 @@ use crate::message::message as print;
 
 /// Exit code for bad input.
 const BAD_INPUT: u8 = 2;
+/// Exit code for a replay that diverges.
+const DIVERGED: u8 = 1;
 
 /// Error that ends a command.
 #[derive(Debug, thiserror::Error)]
@@ -115,6 +118,33 @@ pub enum Error {
         /// Name of the file or stream.
         name: String,
     },
+    /// Line of a file of commands that is none.
+    #[error("{name}, line {line}: {message}")]
+    Command {
+        /// Name of the file or stream.
+        name: String,
+        /// Line, from 1.
+        line: usize,
+        /// Cause.
+        message: String,
+    },
+    /// Rules that no game has.
+    #[error(transparent)]
+    Rules(#[from] RulesError),
+    /// Record that cannot be read or replayed, or scene that no game begins on.
+    #[error("{name}: {source}")]
+    Record {
+        /// Name of the file, the stream or the scene.
+        name: String,
+        /// Cause.
+        source: RecordError,
+    },
+    /// Replay that is not that of its record, which is printed besides.
+    #[error("the replay diverges from its record")]
+    Diverged,
+    /// Standard input for a scene and for commands.
+    #[error("standard input cannot be both the scene and the commands: give the file of one of them")]
+    StdinTwiceCommands,
     /// Trace in no known format.
     #[error("{name}: a trace is a file that ends with .parquet, .csv or .jsonl")]
     TraceFormat {
@@ -245,6 +275,7 @@ impl Error {
             // `teeter scene tower | head` is no error: the reader has what it needs.
             Self::StdoutClosed => ExitCode::SUCCESS,
             Self::Usage(error) => report_usage(error),
+            Self::Diverged => ExitCode::from(DIVERGED),
             error => report_line(&error.to_string()),
         }
     }

@@ -4,6 +4,7 @@ mod arguments;
 mod commands;
 mod error;
 mod fallen;
+mod game_event;
 mod input;
 mod inputs;
 mod interrupt;

@@ -45,6 +45,16 @@ impl Output {
         }
     }
 
+    /// Writes bytes.
+    pub fn bytes(&mut self, bytes: &[u8]) -> Result<(), Error> {
+        match self {
+            Self::Stdout => written(io::stdout().lock().write_all(bytes).and_then(|()| io::stdout().flush())),
+            Self::File(file, name) => {
+                file.write_all(bytes).map_err(|source| Error::Write { name: name.clone(), source })
+            }
+        }
+    }
+
     /// Gives a file its name.
     pub fn finish(self) -> Result<(), Error> {
         match self {
@@ -62,7 +72,11 @@ pub fn line(text: &str) -> Result<(), Error> {
 
 fn raw_line(text: &str) -> Result<(), Error> {
     let mut out = io::stdout().lock();
-    writeln!(out, "{text}").and_then(|()| out.flush()).map_err(|error| match error.kind() {
+    written(writeln!(out, "{text}").and_then(|()| out.flush()))
+}
+
+fn written(result: io::Result<()>) -> Result<(), Error> {
+    result.map_err(|error| match error.kind() {
         io::ErrorKind::BrokenPipe => Error::StdoutClosed,
         _ => Error::Stdout(error),
     })

@@ -3,7 +3,9 @@
 mod dissertation;
 mod forces;
 mod play;
+mod record;
 mod render;
+mod replay;
 mod run;
 mod scene;
 mod score;
@@ -25,6 +27,10 @@ pub enum Command {
     Run(run::Run),
     /// Draw a scene as a picture or a film, without a display.
     Render(render::Render),
+    /// Play the commands of a game and write its record.
+    Record(record::Record),
+    /// Play the record of a game again, and verify that it is the same.
+    Replay(replay::Replay),
     /// Predict labelled towers: which fall, or at what tilt.
     Score(score::Score),
     /// Measure the force that starts each block sliding, beside that of rigid blocks.
@@ -47,6 +53,8 @@ impl Command {
             Command::Scene(scenes) => scenes.run(),
             Command::Run(run) => run.run(),
             Command::Render(render) => render.run(),
+            Command::Record(record) => record.run(),
+            Command::Replay(replay) => replay.run(),
             Command::Score(score) => score.run(),
             Command::Forces(forces) => forces.run(),
             Command::Validate(validate) => validate.run(),

@@ -99,7 +99,7 @@ impl Record {
     }
 
     /// Positions (m) and orientations of all blocks at the end of each second and of the record,
-    /// rounded to hundredths of a millimetre. They need no engine.
+    /// rounded to a twentieth of a millimetre. They need no engine.
     pub fn keyframes(&self) -> impl Iterator<Item = Vec<(DVec3, DQuat)>> + '_ {
         let mut poses = of_scene(&self.scene);
         self.samples.iter().map(move |sample| {

@@ -9,8 +9,10 @@ use crate::record::bytes::{Reader, Writer};
 use crate::record::error::RecordError;
 
 /// Parts of a metre, and of a quaternion's components, that poses are rounded to.
-const POSITION_PARTS: f64 = 1e5;
-const ROTATION_PARTS: f64 = 1e4;
+const POSITION_PARTS: f64 = 2e4;
+const ROTATION_PARTS: f64 = 2e3;
+/// Difference from which a rounded pose is stored again, in parts: less than one would alternate.
+const CHANGED: f64 = 0.8;
 /// Largest rounded number: beyond it a position is of no more use.
 const MAX_ROUNDED: f64 = 1e12;
 
@@ -32,6 +34,12 @@ pub fn rounded(pose: &[f64]) -> RoundedPose {
         let parts = if k < 3 { POSITION_PARTS } else { ROTATION_PARTS };
         (pose[k] * parts).round().clamp(-MAX_ROUNDED, MAX_ROUNDED) as i64
     })
+}
+
+/// Returns true if a pose of seven numbers is no more that of a rounded one.
+pub fn has_changed(pose: &[f64], before: &RoundedPose) -> bool {
+    let parts = |k: usize| if k < 3 { POSITION_PARTS } else { ROTATION_PARTS };
+    (0..POSE_STRIDE).any(|k| (pose[k] * parts(k) - before[k] as f64).abs() > CHANGED)
 }
 
 /// Poses of a scene's blocks as they are described.

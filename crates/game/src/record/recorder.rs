@@ -9,7 +9,7 @@ use crate::game::Game;
 use crate::record::engine::engine_id;
 use crate::record::error::RecordError;
 use crate::record::file::{Record, Sample, StateFrame};
-use crate::record::pose_code::{PoseChange, RoundedPose, of_scene, rounded};
+use crate::record::pose_code::{PoseChange, RoundedPose, has_changed, of_scene, rounded};
 use crate::record::tape::{Run, Tape};
 use crate::rules::table::Rules;
 use crate::update::Update;
@@ -107,12 +107,12 @@ impl Recorder {
     }
 
     fn sample(&mut self) {
-        let now = self.game.world().poses().chunks_exact(POSE_STRIDE).map(rounded);
+        let now = self.game.world().poses().chunks_exact(POSE_STRIDE);
         let mut changes = Vec::new();
         for (body, (before, pose)) in (0..).map(BodyId).zip(self.poses.iter_mut().zip(now)) {
-            if *before != pose {
-                *before = pose;
-                changes.push(PoseChange { body, pose });
+            if has_changed(pose, before) {
+                *before = rounded(pose);
+                changes.push(PoseChange { body, pose: *before });
             }
         }
         self.record.samples.push(Sample { hash: self.game.state_hash(), changes });

@@ -10,8 +10,8 @@ use crate::record::recorder::{begin, frame_check};
 use crate::record::tape::Cursor;
 use crate::update::Update;
 
-/// Displacement from which a block is elsewhere than in the record, m: twice the rounding.
-const ELSEWHERE: f64 = 2e-5;
+/// Displacement from which a block is elsewhere than in the record, m: well above the rounding.
+const ELSEWHERE: f64 = 2e-4;
 
 /// A game that is played again from its record.
 ///

@@ -149,10 +149,18 @@ fn of_two_hundred_placements_by_a_trembling_hand_at_most_one_in_twenty_fells_a_b
     assert!(placed >= 190 && fallen <= 10, "{placed} placed, {fallen} fallen");
 }
 
-/// Plays turns by a trembling hand on the loosest block that may be taken, by the X-ray, until one
-/// is over or the tower falls.
-fn game_of(turns: u32, rows: u32) -> Recorder {
-    let mut recorder = Recorder::new(&tower(rows, 1), Params::default(), Rules::of(Table::Official, 2)).unwrap();
+/// Returns true if a row stands without a block: its middle is left, or both its ends.
+fn leaves_its_row(game: &Game, body: BodyId) -> bool {
+    let cells = TowerMap::new(game.blocks(), None).cells();
+    let Some((_, cell)) = cells.iter().find(|(other, _)| *other == body) else { return false };
+    let left = |k: u32| cells.iter().any(|(other, c)| *other != body && (c.row, c.cell) == (cell.row, k));
+    left(1) || (left(0) && left(2))
+}
+
+/// Plays turns by a trembling hand, each on the loosest block, by the X-ray, of those without which
+/// their row stands. It ends after that number of turns, or when the tower falls.
+fn game_of(turns: u32, tower_seed: u64) -> Recorder {
+    let mut recorder = Recorder::new(&tower(18, tower_seed), Params::default(), Rules::of(Table::Official, 2)).unwrap();
     (0..60).for_each(|_| drop(recorder.step(&Command::Idle)));
     let (mut seed, mut stuck) = (0, Vec::new());
     loop {
@@ -166,7 +174,9 @@ fn game_of(turns: u32, rows: u32) -> Recorder {
         }
         let loads = xray(recorder.game().world(), 0.4);
         let tightness = |body: &BodyId| loads[body.index()].tightness_n;
-        let candidates = turn.removable.iter().filter(|body| !stuck.contains(&(turn.number, **body)));
+        let is_open =
+            |body: &&BodyId| !stuck.contains(&(turn.number, **body)) && leaves_its_row(recorder.game(), **body);
+        let candidates = turn.removable.iter().filter(is_open);
         let body = *candidates.min_by(|a, b| tightness(a).total_cmp(&tightness(b))).expect("one is left");
         let plan = MovePlan::pull(body, out(recorder.game(), body));
         seed += 1;
@@ -183,12 +193,16 @@ fn game_of(turns: u32, rows: u32) -> Recorder {
 #[test]
 #[ignore = "thirty turns take minutes: for a change of the hand or of records"]
 fn a_game_of_thirty_turns_is_a_record_of_less_than_sixty_kilobytes() {
-    let recorder = game_of(30, 18);
-    let turn = recorder.game().turn().unwrap();
-    let record = recorder.finish();
-    let bytes = record.encode().len();
-    println!("{bytes} bytes, {} turns, {:.0} s, {:?}", turn.number - 1, record.seconds(), turn.outcome);
-    assert!(turn.number > 30, "the tower fell in turn {}", turn.number);
+    // Not every tower stands so long.
+    let lasts = |seed| {
+        let recorder = game_of(30, seed);
+        let turns = recorder.game().turn().unwrap().number - 1;
+        let record = recorder.finish();
+        let bytes = record.encode().len();
+        println!("tower {seed}: {turns} turns, {:.0} s, {bytes} bytes", record.seconds());
+        (turns == 30).then_some((record, bytes))
+    };
+    let (record, bytes) = (1..16).find_map(lasts).expect("one of these towers stands for thirty turns");
     assert!(bytes <= 60_000, "{bytes} bytes");
     assert!(verify(&record).unwrap().same);
 }
