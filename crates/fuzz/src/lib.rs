@@ -2,6 +2,7 @@
 
 mod ini;
 mod inputs;
+mod record;
 mod scene;
 mod snapshot;
 
@@ -19,11 +20,12 @@ pub struct Target {
 }
 
 /// All targets.
-pub const TARGETS: [Target; 4] = [
+pub const TARGETS: [Target; 5] = [
     Target { name: "scene", run: scene::run, seeds: scene::seeds },
     Target { name: "ini", run: ini::run, seeds: ini::seeds },
     Target { name: "snapshot", run: snapshot::run, seeds: snapshot::seeds },
     Target { name: "inputs", run: inputs::run, seeds: inputs::seeds },
+    Target { name: "record", run: record::run, seeds: record::seeds },
 ];
 
 impl Target {

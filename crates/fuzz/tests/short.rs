@@ -59,6 +59,11 @@ fn inputs() {
 }
 
 #[test]
+fn records() {
+    run("record", 2000);
+}
+
+#[test]
 fn every_target_has_a_corpus() {
     for target in TARGETS {
         assert!(target.folder().is_dir() && !target.corpus().is_empty(), "{}", target.name);

@@ -28,6 +28,10 @@ const STUCK: f64 = 0.4;
 /// not come out is given up, over its length.
 const THROUGH: f64 = 0.4;
 const GIVE_UP: f64 = 1.6;
+/// Distance from where a block was within which it is put back, m, and frames after which the hand
+/// lets go of it wherever it is.
+const HOME: f64 = 0.001;
+const RETURN: u32 = 90;
 /// Displacement by a poke from which a block is loose, m.
 const LOOSE: f64 = 0.002;
 /// Distance by which a block is drawn clear of the tower before it rises, m.
@@ -73,6 +77,8 @@ pub struct PlayerHand {
     frames: u32,
     /// Centre of the block at the start, m.
     origin: DVec3,
+    /// Centre of the block when the hand took hold of it last, m.
+    grasped: DVec3,
     /// Angle by which the hand draws askew, rad.
     askew: f64,
 }
@@ -88,7 +94,7 @@ impl PlayerHand {
         };
         let origin = game.blocks().positions().get(plan.body.index()).copied().unwrap_or_default();
         let (senses, askew) = (Senses::new(noise.lag, game.world().frame()), errors.angle());
-        Self { plan, errors, senses, stage, frames: 0, origin, askew }
+        Self { plan, errors, senses, stage, frames: 0, origin, grasped: origin, askew }
     }
 
     /// End of the move; none before.
@@ -129,7 +135,7 @@ impl PlayerHand {
             (_, None) => (Command::Idle, Stage::Done(MoveEnd::Dropped)),
             (Stage::Push(travel), Some(_)) => self.push(game, noticed, travel, shake),
             (Stage::Pull(travel), Some(_)) => self.pull(game, noticed, travel, shake),
-            (Stage::Back, Some(_)) => self.back(game, noticed, shake),
+            (Stage::Back, Some(hold)) => self.back(game, noticed, hold, shake),
             (Stage::Clear(travel), Some(_)) => self.clear(game, travel, shake),
             (Stage::Rise(landing), Some(hold)) => Self::rise(game, noticed, hold, landing, shake),
             (Stage::Turn(landing), Some(hold)) => {
@@ -154,6 +160,7 @@ impl PlayerHand {
         let normal = self.outward(game) * side;
         let local = orientation.conjugate() * normal;
         let error = self.errors.position();
+        self.grasped = game.blocks().position(body);
         let on_face = |error: f64, edge: f64| error.clamp(-ON_FACE * edge, ON_FACE * edge);
         let anchor = DVec3::new(0.5 * size.x * local.x.signum(), on_face(error.y, size.y), on_face(error.z, size.z));
         Command::Grasp { body, anchor, normal, grip }
@@ -202,13 +209,17 @@ impl PlayerHand {
         (displace(direction * step + shake), Stage::Pull(travel + step))
     }
 
-    fn back<S: Simulator>(&self, game: &Game<S>, noticed: &Percept, shake: DVec3) -> (Command, Stage) {
-        let left = (self.origin - noticed.centre).dot(self.outward(game));
-        if left.abs() < 0.001 || noticed.grip == Some(HoldGrip::Carry) {
+    /// Moves the hand back to where the block was, and lets go when it is seen there.
+    fn back<S: Simulator>(&self, game: &Game<S>, noticed: &Percept, hold: &Hold, shake: DVec3) -> (Command, Stage) {
+        let outward = self.outward(game);
+        let left = (self.origin - noticed.centre).dot(outward);
+        let is_back = left.abs() < HOME || self.frames > RETURN;
+        if is_back || noticed.grip == Some(HoldGrip::Carry) {
             return (Command::Idle, Stage::LetGo(MoveEnd::Stuck));
         }
-        let step = (DRAW * game.world().frame()).min(left.abs()) * left.signum();
-        (displace(self.outward(game) * step + shake), Stage::Back)
+        let goal = (self.origin - self.grasped + hold.start - hold.goal).dot(outward);
+        let step = goal.signum() * (DRAW * game.world().frame()).min(goal.abs());
+        (displace(outward * step + shake), Stage::Back)
     }
 
     fn clear<S: Simulator>(&mut self, game: &Game<S>, travel: f64, shake: DVec3) -> (Command, Stage) {

@@ -165,10 +165,11 @@ fn game_of(turns: u32, tower_seed: u64) -> Recorder {
     let (mut seed, mut stuck) = (0, Vec::new());
     loop {
         let turn = recorder.game().turn().unwrap();
-        if turn.number > turns || turn.phase == Phase::Over {
+        let is_stalled = recorder.game().turn().unwrap().elapsed_s > 300.0;
+        if turn.number > turns || turn.phase == Phase::Over || is_stalled {
             return recorder;
         }
-        if turn.phase != Phase::Choosing {
+        if turn.phase == Phase::Settling {
             recorder.step(&Command::Idle).unwrap();
             continue;
         }
@@ -176,8 +177,9 @@ fn game_of(turns: u32, tower_seed: u64) -> Recorder {
         let tightness = |body: &BodyId| loads[body.index()].tightness_n;
         let is_open =
             |body: &&BodyId| !stuck.contains(&(turn.number, **body)) && leaves_its_row(recorder.game(), **body);
-        let candidates = turn.removable.iter().filter(is_open);
-        let body = *candidates.min_by(|a, b| tightness(a).total_cmp(&tightness(b))).expect("one is left");
+        let loosest = turn.removable.iter().filter(is_open).min_by(|a, b| tightness(a).total_cmp(&tightness(b)));
+        // A block that could not be put back or down is taken again.
+        let Some(body) = turn.block.or(loosest.copied()) else { return recorder };
         let plan = MovePlan::pull(body, out(recorder.game(), body));
         seed += 1;
         let mut hand = PlayerHand::new(recorder.game(), plan, HandNoise::default(), seed);
