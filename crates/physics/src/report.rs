@@ -39,7 +39,7 @@ pub struct StepReport {
     pub rms_speed: f64,
     /// Energy put in during the step, J: the work of hand, forces and drives on the bodies, what a
     /// change of gravity adds to their potential energy, and what they do not fall by while gravity
-    /// grows. With [`World::energy`](crate::World::energy) before and after, the remainder was lost.
+    /// grows. [`EnergyBalance`](crate::EnergyBalance) has what is lost.
     pub put_in: f64,
     /// Bodies frozen during this step, which no longer move: their state was not finite, they were
     /// fast with energy that nobody put in, or faster than 1e4 m/s.

@@ -193,8 +193,8 @@ impl Manifold {
         };
         let ((spread0, offset0), (spread1, offset1)) = (rotation(0), rotation(1));
         let apart = mass.recip().max(spread0).max(spread1) + offset0 + offset1;
-        // The tangents apart are right where they are along the axes of patch and body. A long block
-        // at an angle with them would seem to yield to all of its length about its thinnest axis.
+        // The tangents apart are right where they are along the axes of patch and body. A long
+        // block at an angle would seem to yield to all of its length about its thinnest axis.
         let [b00, b01, b11] = [(1, 1), (1, 0), (0, 0)].map(|(i, j)| tangents[i].dot(inv_inertia * tangents[j]));
         let (c00, c01, c11) = (self.variance(0), self.covariance(), self.variance(1));
         let half_trace = 0.5 * (c00 * b00 + c11 * b11) - c01 * b01;

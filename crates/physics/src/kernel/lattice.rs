@@ -6,12 +6,12 @@
 use glam::{DMat3, DVec3};
 
 use crate::body::BodyForce;
-use crate::constants::{SPIN_STRAIN, STRAIN_INERTIA};
+use crate::constants::{MIN_STRETCH, SPIN_STRAIN, STRAIN_INERTIA};
 use crate::kernel::affine_motion::{AffineMotion, AffineWrench};
 use crate::kernel::body_model::{BodyDelta, BodyModel, KernelBody};
 use crate::kernel::layout::{Group, Row, row, row_mut};
 use crate::kernel::spring::spring;
-use crate::kernel::vector::{LaneArray, cross, get3, into_frame, load, load3, out_of_frame, set3, store3};
+use crate::kernel::vector::{LaneArray, cross, dot, get3, into_frame, load, load3, out_of_frame, set3, store3};
 use crate::lattice::affine::{PARTICLES, outer, rest_position, sign, torque_moment};
 use crate::lattice::springs::{KINDS, SPRINGS, Springs, ends};
 use crate::simd::lanes::{Lanes, ROW_LEN, Real, RowRegister as _};
@@ -341,7 +341,7 @@ impl<R: Real> Lattice<R> {
     fn reduce_strain<L: Lanes<Scalar = R>>(&self, part: usize, along: &mut [[L; 3]; 3]) {
         let edge = [load3::<L>(&self.edge[0], part), load3::<L>(&self.edge[1], part), load3::<L>(&self.edge[2], part)];
         // h² times half the angular acceleration.
-        let rotation = self.common_rotation(part, &edge, along);
+        let rotation = common_rotation(&edge, &load3::<L>(&self.inv_rotation, part), along);
         let (strain, rigid) = (L::splat_f64(1.0 / STRAIN_INERTIA), L::splat_f64(1.0 - 1.0 / STRAIN_INERTIA));
         for k in 0..3 {
             let rotated = cross(&rotation, &edge[k]);
@@ -349,16 +349,6 @@ impl<R: Real> Lattice<R> {
                 *x = strain * *x + rigid * rotated;
             }
         }
-    }
-
-    /// Common rotation β of changes x of the edges e, which solves Σ e × x = Σ e × (β × e).
-    #[inline(always)]
-    fn common_rotation<L: Lanes<Scalar = R>>(&self, part: usize, edge: &[[L; 3]; 3], change: &[[L; 3]; 3]) -> [L; 3] {
-        let (x, y, z) = (cross(&edge[0], &change[0]), cross(&edge[1], &change[1]), cross(&edge[2], &change[2]));
-        let torque = [x[0] + y[0] + z[0], x[1] + y[1] + z[1], x[2] + y[2] + z[2]];
-        let inv = load3::<L>(&self.inv_rotation, part);
-        let [x, y, z] = into_frame(edge, &torque);
-        out_of_frame(edge, &[x * inv[0], y * inv[1], z * inv[2]])
     }
 
     /// Adds the part of the centripetal acceleration that springs need not give to particles with
@@ -384,10 +374,18 @@ impl<R: Real> Lattice<R> {
                 rate[k][i] = rate[k][i] * quarter;
             }
         }
-        let spin = self.common_rotation(part, &edge, &rate);
+        // A crushed or stretched block has other inertia than one at rest.
+        let [x, y, z] = [0, 1, 2].map(|k| {
+            let (square, rest) = (dot(&edge[k], &edge[k]), load3::<L>(&self.edge[k], part));
+            let min = dot(&rest, &rest) * L::splat_f64(MIN_STRETCH.x);
+            L::select(square.less_than(min), min, square)
+        });
+        let one = L::splat_f64(1.0);
+        let inv = [one / (x * (y + z)), one / (y * (z + x)), one / (z * (x + y))];
+        let spin = common_rotation(&edge, &inv, &rate);
         let inward = [0, 1, 2].map(|k| cross(&spin, &cross(&spin, &edge[k])));
         // The rotation as a whole has no part in it: the angular momentum stays.
-        let rotation = self.common_rotation(part, &edge, &inward);
+        let rotation = common_rotation(&edge, &inv, &inward);
         let half = load::<L>(&self.centripetal, part) * L::splat_f64(0.5);
         for k in 0..3 {
             let rotated = cross(&rotation, &edge[k]);
@@ -485,6 +483,16 @@ impl<R: Real> Lattice<R> {
         }
         (sum / PARTICLES as f64, rotation)
     }
+}
+
+/// Common rotation β of changes x of the edges e, which solves Σ e × x = Σ e × (β × e); `inv` is 1 /
+/// (|e_k|² Σ |e_j|²) with the sum over the two other edges.
+#[inline(always)]
+fn common_rotation<L: Lanes>(edge: &[[L; 3]; 3], inv: &[L; 3], change: &[[L; 3]; 3]) -> [L; 3] {
+    let (x, y, z) = (cross(&edge[0], &change[0]), cross(&edge[1], &change[1]), cross(&edge[2], &change[2]));
+    let torque = [x[0] + y[0] + z[0], x[1] + y[1] + z[1], x[2] + y[2] + z[2]];
+    let [x, y, z] = into_frame(edge, &torque);
+    out_of_frame(edge, &[x * inv[0], y * inv[1], z * inv[2]])
 }
 
 /// Sum of vectors at the particles, and their sums with the signs of the particles along each axis.
