@@ -1,10 +1,13 @@
 #![doc = include_str!("../README.md")]
 
+mod energy;
 mod ini;
 mod inputs;
 mod record;
 mod scene;
 mod snapshot;
+
+pub use energy::{Extremes, Range, Violation, random_scene};
 
 use std::path::{Path, PathBuf};
 
@@ -20,12 +23,13 @@ pub struct Target {
 }
 
 /// All targets.
-pub const TARGETS: [Target; 5] = [
+pub const TARGETS: [Target; 6] = [
     Target { name: "scene", run: scene::run, seeds: scene::seeds },
     Target { name: "ini", run: ini::run, seeds: ini::seeds },
     Target { name: "snapshot", run: snapshot::run, seeds: snapshot::seeds },
     Target { name: "inputs", run: inputs::run, seeds: inputs::seeds },
     Target { name: "record", run: record::run, seeds: record::seeds },
+    Target { name: "energy", run: energy::run, seeds: energy::seeds },
 ];
 
 impl Target {

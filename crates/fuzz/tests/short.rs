@@ -58,6 +58,18 @@ fn inputs() {
     run("inputs", 40);
 }
 
+/// About a million steps: the events of a run are some forty.
+#[test]
+#[ignore = "takes hours"]
+fn a_million_hostile_steps() {
+    run("inputs", 25_000);
+}
+
+#[test]
+fn energies() {
+    run("energy", 24);
+}
+
 #[test]
 fn records() {
     run("record", 2000);
