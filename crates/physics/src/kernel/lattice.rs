@@ -485,8 +485,8 @@ impl<R: Real> Lattice<R> {
     }
 }
 
-/// Common rotation β of changes x of the edges e, which solves Σ e × x = Σ e × (β × e); `inv` is 1 /
-/// (|e_k|² Σ |e_j|²) with the sum over the two other edges.
+/// Common rotation β of changes x of the edges e, which solves Σ e × x = Σ e × (β × e); `inv` is
+/// 1 / (|e_k|² Σ |e_j|²) with the sum over the two other edges.
 #[inline(always)]
 fn common_rotation<L: Lanes>(edge: &[[L; 3]; 3], inv: &[L; 3], change: &[[L; 3]; 3]) -> [L; 3] {
     let (x, y, z) = (cross(&edge[0], &change[0]), cross(&edge[1], &change[1]), cross(&edge[2], &change[2]));
