@@ -71,17 +71,23 @@ proptest! {
     }
 }
 
-/// Point that meets the middle of a face, both of unit masses, at unit speed along z.
-fn middle_of_a_face(restitution: f64) -> (f64, f64) {
+/// Point that meets the middle of a face.
+fn at_the_middle_of_a_face() -> Contact {
     let third = 1.0 / 3.0;
-    let contact = Contact {
+    Contact {
         kind: Kind::ParticleFace(0, 0),
         blocks: [0, 1],
         particles: [0, 1, 2, 3],
         weights: [1.0, -third, -third, -third],
         normal: DVec3::Z,
         normal_force: 0.0,
-    };
+    }
+}
+
+/// Impulse on a point that meets the middle of a face, both of unit masses, at unit speed along z,
+/// and its speed afterwards.
+fn middle_of_a_face(restitution: f64) -> (f64, f64) {
+    let contact = at_the_middle_of_a_face();
     let particles = [Particle { mass: 1.0, block: 0 }; 4];
     let curr = [State::default(); 4];
     let mut next = curr;
@@ -129,4 +135,21 @@ fn the_mass_is_that_of_the_point() {
     let single = 1.0 / (1.0 + 1.0);
     let left = 1.0 - single * (1.0 + 3.0 / 9.0);
     assert!((left - 1.0 / 3.0f64).abs() < 1e-15 && (after + 1.0 - left).abs() > 0.5);
+}
+
+/// Displacements over the step are reversed by the law of the velocities, wherever the blocks are.
+#[test]
+fn a_displacement_is_reversed_as_a_velocity_is() {
+    let contact = at_the_middle_of_a_face();
+    let particles = [Particle { mass: 1.0, block: 0 }; 4];
+    let at = |z: f64| State { position: DVec3::new(0.5, 0.25, z), ..State::default() };
+    let curr = [at(3.5), at(3.0), at(3.0), at(3.0)];
+    for restitution in [0.0, 0.5, 1.0] {
+        let mut next = curr;
+        next[0].position.z -= 1.0;
+        let law = Law { restitution, friction: None };
+        respond(&contact, &law, Step { particles: &particles, curr: &curr, next: &mut next }, |_| true);
+        let after = contact.relative(|p| next[p].position - curr[p].position);
+        assert!(after.distance(restitution * DVec3::Z) < 1e-14, "{restitution}: {after}");
+    }
 }

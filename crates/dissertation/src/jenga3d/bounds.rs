@@ -4,8 +4,8 @@
 use glam::DVec3;
 use wide::f64x4;
 
-/// Bits of a comparison that holds in each lane. One branch on them is faster than `f64x4::all`, which
-/// has one for each half of a register.
+/// Bits of a comparison that holds in each lane. One branch on them is faster than `f64x4::all`,
+/// which has one for each half of a register.
 const ALL_LANES: u32 = 0b1111;
 
 /// Axis-aligned box. A register holds a corner, with zero behind its coordinates.
