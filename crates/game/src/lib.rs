@@ -34,7 +34,7 @@ pub use player::take::PlayerHand;
 pub use record::engine::engine_id;
 pub use record::error::RecordError;
 pub use record::file::Record;
-pub use record::recorder::Recorder;
+pub use record::recorder::{RecordWriter, Recorder};
 pub use record::replay::{Displaced, Divergence, Replay, Verification, verify};
 pub use rest::{Motion, RestDetector};
 pub use rules::ideal::{IdealMove, IdealPosition};

@@ -1,7 +1,7 @@
 //! Binding of a game: commands and updates as JSON, poses as a view on wasm memory.
 
 use serde::Serialize;
-use teeter_game::Command;
+use teeter_game::{Command, RecordWriter, Rules, Table};
 use teeter_physics::{BodyId, Params, World};
 use teeter_scene::{Form, Scene};
 use wasm_bindgen::prelude::*;
@@ -13,19 +13,52 @@ use crate::{Error, views};
 #[derive(Debug)]
 pub struct Game {
     game: teeter_game::Game,
+    /// None where the game is not recorded.
+    writer: Option<RecordWriter>,
     lattices: Vec<f32>,
 }
 
 #[wasm_bindgen]
 impl Game {
-    /// Builds a game from a scene (JSON) and the constants of the run (JSON of [`Params`]; empty
-    /// text for the defaults).
+    /// Builds a game from a scene (JSON), the constants of the run (JSON of [`Params`]; empty text
+    /// for the defaults) and rules (JSON of [`Rules`]; free play where absent or empty).
     #[wasm_bindgen(constructor)]
-    pub fn new(scene: &str, params: &str) -> Result<Game, Error> {
+    pub fn new(scene: &str, params: &str, rules: Option<String>) -> Result<Game, Error> {
         let scene = Scene::from_json(scene).map_err(Error::rejected)?;
         let params: Params = read("parameters", params)?;
+        let rules: Rules = read("rules", rules.as_deref().unwrap_or_default())?;
         let world = World::new(&scene, params).map_err(Error::rejected)?;
-        Ok(Self { game: teeter_game::Game::new(world), lattices: Vec::new() })
+        let game = teeter_game::Game::with_rules(world, rules).map_err(Error::rejected)?;
+        Ok(Self { game, writer: None, lattices: Vec::new() })
+    }
+
+    /// Rules of a table (its name, such as `official`) for a number of players, as JSON.
+    pub fn rules(table: &str, players: u32) -> Result<String, Error> {
+        let table: Table = serde_json::from_value(table.into()).map_err(|e| Error::json("table", e))?;
+        write("rules", &Rules::of(table, players))
+    }
+
+    /// Begins to record the game, before its first frame. A state that is restored ends it.
+    #[wasm_bindgen(js_name = startRecord)]
+    pub fn start_record(&mut self) -> Result<(), Error> {
+        let world = self.game.world();
+        if world.time() > 0.0 {
+            return Err(Error::rejected("a game is recorded from its first frame on"));
+        }
+        self.writer = Some(RecordWriter::new(world.scene(), *world.params(), self.game.rules()));
+        Ok(())
+    }
+
+    /// Record of the game so far as bytes; undefined where it is not recorded.
+    pub fn record(&self) -> Option<Vec<u8>> {
+        self.writer.clone().map(|writer| writer.finish(&self.game).encode())
+    }
+
+    /// Judges a command (JSON of [`Command`]) by the rules. Returns the reason why it is illegal;
+    /// undefined where it is not.
+    pub fn judge(&self, command: &str) -> Result<Option<String>, Error> {
+        let command: Command = read("command", command)?;
+        Ok(self.game.judge(&command).err().map(|rule| rule.to_string()))
     }
 
     /// Carries out a command (JSON of [`Command`]; empty text for `idle`), advances by a frame and
@@ -33,7 +66,11 @@ impl Game {
     /// was.
     pub fn step(&mut self, command: &str) -> Result<String, Error> {
         let command: Command = read("command", command)?;
-        write("update", &self.game.step(&command))
+        let update = self.game.step(&command);
+        if let Some(writer) = &mut self.writer {
+            writer.write(&command, &self.game).map_err(Error::rejected)?;
+        }
+        write("update", &update)
     }
 
     /// Address of the poses in wasm memory: seven doubles a body, position (m) and orientation (x,
@@ -119,7 +156,9 @@ impl Game {
     /// Takes over a state of a game of the same scene and constants. Bytes that are none leave the
     /// game as it was.
     pub fn restore(&mut self, bytes: &[u8]) -> Result<(), Error> {
-        self.game.restore(bytes).map_err(Error::rejected)
+        self.game.restore(bytes).map_err(Error::rejected)?;
+        self.writer = None;
+        Ok(())
     }
 
     /// Simulated time, s.
@@ -173,7 +212,7 @@ mod tests {
     use super::*;
 
     fn game() -> Game {
-        Game::new(&crate::tower_scene(r#"{"rows": 3}"#).unwrap(), "").unwrap()
+        Game::new(&crate::tower_scene(r#"{"rows": 3}"#).unwrap(), "", None).unwrap()
     }
 
     #[test]
@@ -201,5 +240,37 @@ mod tests {
         for error in [game.slots(9).map(drop), game.contacts(9).map(drop), game.is_free(9).map(drop)] {
             assert_eq!(error.unwrap_err().to_string(), "there is no body 9: the world has 9");
         }
+    }
+
+    #[test]
+    fn a_game_by_rules_says_whose_turn_it_is_and_its_record_replays_the_same() {
+        let scene = crate::tower_scene(r#"{"rows": 3}"#).unwrap();
+        let rules = Game::rules("official", 2).unwrap();
+        let mut game = Game::new(&scene, "", Some(rules)).unwrap();
+        assert_eq!(game.record(), None);
+        game.start_record().unwrap();
+        let update: Value = serde_json::from_str(&game.step("").unwrap()).unwrap();
+        assert_eq!((&update["turn"]["phase"], &update["turn"]["player"]), (&"choosing".into(), &0.into()));
+        let top = r#"{"command": "grasp", "body": 7, "anchor": [0, 0, 0.009], "normal": [0, 0, 1], "grip": "auto"}"#;
+        let reason = game.judge(top).unwrap().unwrap();
+        let update: Value = serde_json::from_str(&game.step(top).unwrap()).unwrap();
+        assert_eq!(
+            (&update["events"][0]["event"], &update["events"][0]["reason"]),
+            (&"illegal".into(), &reason.into())
+        );
+        let record = teeter_game::Record::decode(&game.record().unwrap()).unwrap();
+        let verified = teeter_game::verify(&record).unwrap();
+        assert_eq!((record.frames(), verified.same, format!("{:016x}", verified.hash)), (2, true, game.hash()));
+        assert_eq!(game.start_record().unwrap_err().to_string(), "a game is recorded from its first frame on");
+    }
+
+    #[test]
+    fn rules_that_are_none_are_an_error_of_one_line() {
+        let scene = crate::tower_scene(r#"{"rows": 3}"#).unwrap();
+        for rules in ["{", r#"{"table": "official"}"#, &Game::rules("official", 9).unwrap()] {
+            let line = Game::new(&scene, "", Some(rules.to_owned())).unwrap_err().to_string();
+            assert!(!line.is_empty() && !line.contains('\n'), "{line}");
+        }
+        assert!(Game::rules("chess", 2).is_err());
     }
 }

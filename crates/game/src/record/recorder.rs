@@ -1,4 +1,4 @@
-//! Recorder: plays a game and keeps its commands.
+//! Recorder: a game, and the writer of its record.
 
 use teeter_physics::envelope::checksum;
 use teeter_physics::{BodyId, POSE_STRIDE, Params, StepReport, World};
@@ -17,6 +17,92 @@ use crate::update::Update;
 /// Bytes of states beyond which no more are stored: a file must stay readable.
 const MAX_STORED: usize = 32_000_000;
 
+/// Writer of the record of a game that is played elsewhere.
+///
+/// ```
+/// use teeter_game::{Command, Game, RecordWriter};
+/// use teeter_physics::{Params, World};
+///
+/// let scene = teeter_scene::named("column").unwrap();
+/// let mut game = Game::new(World::new(&scene, Params::default()).unwrap());
+/// let mut writer = RecordWriter::new(&scene, Params::default(), game.rules());
+/// game.step(&Command::Idle);
+/// writer.write(&Command::Idle, &game)?;
+/// assert_eq!(writer.finish(&game).frames(), 1);
+/// # Ok::<(), teeter_game::RecordError>(())
+/// ```
+#[derive(Debug, Clone)]
+pub struct RecordWriter {
+    record: Record,
+    poses: Vec<RoundedPose>,
+    /// Number of frames from one stored state to the next; none where none is stored.
+    state_interval: Option<u32>,
+    /// Bytes of all states.
+    stored: usize,
+}
+
+impl RecordWriter {
+    /// Begins the record of a game that begins from these.
+    pub fn new(scene: &Scene, params: Params, rules: Rules) -> Self {
+        let record = Record {
+            engine: engine_id(),
+            scene: scene.clone(),
+            params,
+            rules,
+            tape: Tape::default(),
+            checks: Vec::new(),
+            samples: Vec::new(),
+            states: Vec::new(),
+        };
+        Self { record, poses: of_scene(scene), state_interval: None, stored: 0 }
+    }
+
+    /// Takes in a command, and the game after the frame in which it was given.
+    ///
+    /// # Errors
+    /// When the record has as many frames as there may be.
+    pub fn write(&mut self, command: &Command, game: &Game) -> Result<(), RecordError> {
+        self.record.tape.push(Run { command: *command, frames: 1 })?;
+        self.record.checks.push(frame_check(game));
+        let frames = self.record.frames();
+        if frames.is_multiple_of(self.record.interval()) {
+            self.sample(game);
+        }
+        if self.state_interval.is_some_and(|interval| frames.is_multiple_of(interval)) {
+            self.store_state(frames, game);
+        }
+        Ok(())
+    }
+
+    /// Ends the record, wherever the game is.
+    pub fn finish(mut self, game: &Game) -> Record {
+        if !self.record.frames().is_multiple_of(self.record.interval()) {
+            self.sample(game);
+        }
+        self.record
+    }
+
+    fn store_state(&mut self, frame: u32, game: &Game) {
+        let bytes = game.snapshot();
+        self.stored += bytes.len();
+        if self.stored <= MAX_STORED {
+            self.record.states.push(StateFrame { frame, bytes });
+        }
+    }
+
+    fn sample(&mut self, game: &Game) {
+        let now = game.world().poses().chunks_exact(POSE_STRIDE);
+        let mut changes = Vec::new();
+        for (body, (before, pose)) in (0..).map(BodyId).zip(self.poses.iter_mut().zip(now)) {
+            if has_changed(pose, before) {
+                *before = rounded(pose);
+                changes.push(PoseChange { body, pose: *before });
+            }
+        }
+        self.record.samples.push(Sample { hash: game.state_hash(), changes });
+    }
+}
+
 /// A game that is recorded.
 ///
 /// ```
@@ -32,12 +118,7 @@ const MAX_STORED: usize = 32_000_000;
 #[derive(Debug, Clone)]
 pub struct Recorder {
     game: Game,
-    record: Record,
-    poses: Vec<RoundedPose>,
-    /// Number of frames from one stored state to the next; none where none is stored.
-    state_interval: Option<u32>,
-    /// Bytes of all states.
-    stored: usize,
+    writer: RecordWriter,
 }
 
 impl Recorder {
@@ -46,24 +127,14 @@ impl Recorder {
     /// # Errors
     /// When no game can begin like this.
     pub fn new(scene: &Scene, params: Params, rules: Rules) -> Result<Self, RecordError> {
-        let record = Record {
-            engine: engine_id(),
-            scene: scene.clone(),
-            params,
-            rules,
-            tape: Tape::default(),
-            checks: Vec::new(),
-            samples: Vec::new(),
-            states: Vec::new(),
-        };
-        let poses = of_scene(scene);
-        Ok(Self { game: begin(&record)?, record, poses, state_interval: None, stored: 0 })
+        let writer = RecordWriter::new(scene, params, rules);
+        Ok(Self { game: begin(&writer.record)?, writer })
     }
 
     /// Stores the whole state each `frames` frames, so that a replay can begin there. A state of a
     /// full tower takes tens of kilobytes.
     pub fn with_states(mut self, frames: u32) -> Self {
-        self.state_interval = Some(frames.max(1));
+        self.writer.state_interval = Some(frames.max(1));
         self
     }
 
@@ -75,47 +146,16 @@ impl Recorder {
     /// Carries out a command and advances by a frame, as [`Game::step`] does.
     ///
     /// # Errors
-    /// When the record has as many frames as there may be; the game is unchanged then.
+    /// When the record has as many frames as there may be; the game goes on then.
     pub fn step(&mut self, command: &Command) -> Result<Update<StepReport>, RecordError> {
-        self.record.tape.push(Run { command: *command, frames: 1 })?;
         let update = self.game.step(command);
-        self.record.checks.push(frame_check(&self.game));
-        let frames = self.record.frames();
-        if frames.is_multiple_of(self.record.interval()) {
-            self.sample();
-        }
-        if self.state_interval.is_some_and(|interval| frames.is_multiple_of(interval)) {
-            self.store_state(frames);
-        }
+        self.writer.write(command, &self.game)?;
         Ok(update)
     }
 
     /// Ends the record, wherever the game is.
-    pub fn finish(mut self) -> Record {
-        if !self.record.frames().is_multiple_of(self.record.interval()) {
-            self.sample();
-        }
-        self.record
-    }
-
-    fn store_state(&mut self, frame: u32) {
-        let bytes = self.game.snapshot();
-        self.stored += bytes.len();
-        if self.stored <= MAX_STORED {
-            self.record.states.push(StateFrame { frame, bytes });
-        }
-    }
-
-    fn sample(&mut self) {
-        let now = self.game.world().poses().chunks_exact(POSE_STRIDE);
-        let mut changes = Vec::new();
-        for (body, (before, pose)) in (0..).map(BodyId).zip(self.poses.iter_mut().zip(now)) {
-            if has_changed(pose, before) {
-                *before = rounded(pose);
-                changes.push(PoseChange { body, pose: *before });
-            }
-        }
-        self.record.samples.push(Sample { hash: self.game.state_hash(), changes });
+    pub fn finish(self) -> Record {
+        self.writer.finish(&self.game)
     }
 }
 

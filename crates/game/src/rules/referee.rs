@@ -375,6 +375,7 @@ impl Referee {
         let players = self.rules.players;
         let is_body = |body: &BodyId| body.index() < count;
         let is_player = |player: &u32| *player < players;
+        let has_block = matches!(self.phase, Phase::Removing | Phase::Placing | Phase::Settling);
         self.rules.validate().is_ok()
             && self.rules.has_turns()
             && is_player(&self.player)
@@ -382,9 +383,7 @@ impl Referee {
             && self.out.len() == players as usize
             && self.scores.len() == self.rules.points.map_or(0, |_| players as usize)
             && self.block.iter().chain(&self.removable).chain(self.origins.iter().map(|(body, _)| body)).all(is_body)
-            && self.block.is_some()
-                == matches!(self.phase, Phase::Removing | Phase::Placing | Phase::Settling)
-                    | (self.phase == Phase::Over && self.block.is_some())
+            && (self.phase == Phase::Over || self.block.is_some() == has_block)
             && self.outcome.is_some() == (self.phase == Phase::Over)
             && self.outcome.iter().flat_map(|o| o.loser.iter().chain(&o.winner)).all(is_player)
     }

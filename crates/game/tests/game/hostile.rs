@@ -3,7 +3,7 @@
 use crate::common::tower;
 use glam::{DQuat, DVec2, DVec3};
 use proptest::prelude::*;
-use teeter_game::{CellId, Command, Game, GripMode};
+use teeter_game::{CellId, Command, Game, GripMode, Rules, Table};
 use teeter_physics::envelope::seal;
 use teeter_physics::{BodyId, Params, World};
 use teeter_scene::Form;
@@ -104,9 +104,10 @@ proptest! {
     }
 }
 
-/// A game in which a block is being placed, and a snapshot of it.
+/// A game by rules in which a block is being placed, and a snapshot of it.
 fn placing() -> (Game, Vec<u8>) {
-    let mut game = Game::new(World::new(&tower(3, 1), Params::default()).expect("the scene is valid"));
+    let world = World::new(&tower(3, 1), Params::default()).expect("the scene is valid");
+    let mut game = Game::with_rules(world, Rules::of(Table::Dissertation, 3)).expect("the rules are valid");
     game.step(&Command::Grasp { body: BodyId(7), anchor: DVec3::ZERO, normal: DVec3::Z, grip: GripMode::Auto });
     game.step(&Command::Place { body: None, slot: None });
     let bytes = game.snapshot();
