@@ -1,5 +1,6 @@
 #![doc = include_str!("../README.md")]
 
+mod analysis;
 mod blocks;
 mod command;
 mod fall;
@@ -18,6 +19,14 @@ mod stiffness_ramp;
 mod tower_map;
 mod update;
 
+pub use analysis::candidate::Candidate;
+pub use analysis::estimate::{EstimateErrors, estimate};
+pub use analysis::freedom::freedom;
+pub use analysis::holders::holders;
+pub use analysis::proportion::Proportion;
+pub use analysis::rollout::{Rollout, TrialErrors, roll_out};
+pub use analysis::survey::{Survey, Tally};
+pub use analysis::tower::{BlockAnalysis, analyse_tower};
 pub use blocks::Blocks;
 pub use command::{Command, Refusal};
 pub use fall::{FallDetector, FrameEnd, TowerState};
