@@ -4,6 +4,7 @@ mod common;
 mod determinism;
 mod hostile;
 mod legality;
+mod opponent;
 mod play;
 mod player;
 mod record;

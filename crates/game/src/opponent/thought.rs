@@ -1,0 +1,124 @@
+//! Choice of a move.
+
+use teeter_physics::{BodyId, BuildError, World};
+use teeter_scene::Random;
+
+use crate::analysis::candidate::Candidate;
+use crate::analysis::rollout::TrialErrors;
+use crate::analysis::survey::{Survey, Tally};
+use crate::opponent::strength::Thinking;
+use crate::player::noise::HandNoise;
+use crate::rules::table::Rules;
+
+/// Cost of a block that does not come out, as a chance of a fall: it has to be put back, and that
+/// shakes the tower.
+const STUCK: f64 = 0.1;
+
+/// A move that was considered.
+///
+/// ```
+/// use teeter_game::{Rules, Strength, choose};
+/// use teeter_physics::{BodyId, Params};
+///
+/// let world = teeter_study::settled(&teeter_scene::named("column").unwrap(), Params::default())?;
+/// let thinking = Strength::Random.thinking();
+/// let considered = choose(&world, &Rules::default(), &[BodyId(9)], &thinking, 1)?;
+/// assert_eq!(considered[0].candidate.body, BodyId(9));
+/// # Ok::<(), teeter_physics::BuildError>(())
+/// ```
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Considered {
+    /// The move.
+    pub candidate: Candidate,
+    /// Its rollouts.
+    pub tally: Tally,
+    /// Cost: the chance of a fall, and what it leaves to the next player.
+    pub cost: f64,
+}
+
+/// Considers the blocks that may be taken, and returns the moves that were tried, the chosen one
+/// first. All of it follows from the world, the manner of thinking and the seed.
+///
+/// # Errors
+/// When no world can be built of an estimate.
+pub fn choose(
+    world: &World,
+    rules: &Rules,
+    bodies: &[BodyId],
+    thinking: &Thinking,
+    seed: u64,
+) -> Result<Vec<Considered>, BuildError> {
+    let count = (thinking.candidates as usize).max(1);
+    let candidates = if thinking.is_ranked {
+        let mut ranked = Candidate::ranked(world, bodies);
+        ranked.truncate(count);
+        ranked
+    } else {
+        Candidate::ranked(world, &drawn(bodies, count, seed))
+    };
+    let tallies = if thinking.budget > 0.0 {
+        let errors = TrialErrors { estimate: thinking.errors, hand: HandNoise::default() };
+        let survey = Survey { rules: *rules, errors, budget: thinking.budget, seed };
+        let plans: Vec<_> = candidates.iter().map(Candidate::plan).collect();
+        survey.run(world, &plans, || ())?
+    } else {
+        vec![Tally::default(); candidates.len()]
+    };
+    let considered = candidates.into_iter().zip(tallies);
+    let mut considered: Vec<Considered> =
+        considered.map(|(candidate, tally)| Considered { candidate, tally, cost: cost(thinking, &tally) }).collect();
+    // Of equal ones the looser first: the sort is stable.
+    considered.sort_by(|a, b| a.cost.total_cmp(&b.cost));
+    Ok(considered)
+}
+
+fn cost(thinking: &Thinking, tally: &Tally) -> f64 {
+    let chance = tally.falls.expected();
+    let trouble = thinking.trouble * libm::log2(1.0 + tally.freedom());
+    (chance - thinking.risk).abs() + STUCK * tally.stuck.share() + trouble
+}
+
+/// Draws `count` different bodies, or all where there are fewer.
+fn drawn(bodies: &[BodyId], count: usize, seed: u64) -> Vec<BodyId> {
+    let mut random = Random::new(seed);
+    let mut left = bodies.to_vec();
+    (0..count.min(left.len())).map(|_| left.swap_remove(random.below(left.len()))).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::opponent::strength::Strength;
+
+    #[test]
+    fn blocks_are_drawn_once_each_and_all_alike() {
+        let bodies: Vec<BodyId> = (0..6).map(BodyId).collect();
+        let mut counts = [0; 6];
+        for seed in 0..3000 {
+            let mut some = drawn(&bodies, 3, seed);
+            some.iter().for_each(|body| counts[body.index()] += 1);
+            some.sort_unstable();
+            some.dedup();
+            assert_eq!(some.len(), 3);
+        }
+        assert!(counts.iter().all(|count| (1350..1650).contains(count)), "{counts:?}");
+        assert_eq!(drawn(&bodies, 9, 1).len(), 6);
+    }
+
+    #[test]
+    fn a_competitor_shuns_falls_and_a_gentle_one_does_not() {
+        let tally = |count, tries| {
+            let mut tally = Tally::default();
+            tally.falls.tries = tries;
+            tally.falls.count = count;
+            tally
+        };
+        let (safe, risky, hopeless) = (tally(0, 8), tally(2, 8), tally(8, 8));
+        for strength in [Strength::Beginner, Strength::Skilled, Strength::Expert] {
+            let cost = |tally| cost(&strength.thinking(), tally);
+            assert!(cost(&safe) < cost(&risky) && cost(&risky) < cost(&hopeless), "{strength:?}");
+        }
+        let cost = |tally| cost(&Strength::Gentle.thinking(), tally);
+        assert!(cost(&risky) < cost(&safe) && cost(&risky) < cost(&hopeless));
+    }
+}

@@ -1,0 +1,118 @@
+//! Opponents: what they choose follows from seed and budget, and they play by the rules.
+
+use crate::common::{settled, tower};
+use teeter_game::{
+    Candidate, Event, Game, MoveEnd, MovePlan, Opponent, Phase, Recorder, Replay, Rules, Strength, Survey, Table,
+    Tally, Thinking, TrialErrors, choose, contest, roll_out, verify,
+};
+use teeter_physics::{BodyId, Params, World};
+use teeter_scene::{TowerOptions, config};
+
+fn official() -> Rules {
+    Rules::of(Table::Official, 2)
+}
+
+fn world(config_text: &str) -> World {
+    let scene = config(config_text, &TowerOptions::default()).expect("the notation is valid");
+    settled(&scene).world().clone()
+}
+
+fn survey(world: &World, plans: &[MovePlan], budget: f64) -> Vec<Tally> {
+    let survey = Survey { rules: official(), errors: TrialErrors::default(), budget, seed: 5 };
+    survey.run(world, plans, || ()).expect("estimates are towers")
+}
+
+fn in_threads<R: Send>(threads: usize, act: impl FnOnce() -> R + Send) -> R {
+    rayon::ThreadPoolBuilder::new().num_threads(threads).build().expect("threads can be started").install(act)
+}
+
+#[test]
+fn a_block_without_which_the_tower_falls_by_statics_falls_in_every_rollout_and_a_loose_one_in_none() {
+    let world = world("(111)-(010)-(1L1)-(111)-(010)");
+    let bodies: Vec<BodyId> = world.bodies().collect();
+    let ranked = Candidate::ranked(&world, &bodies);
+    let find = |body: u32| *ranked.iter().find(|candidate| candidate.body == BodyId(body)).expect("it is ranked");
+    let (bearer, loose) = (find(3), find(5));
+    assert_eq!((bearer.falls, loose.falls), (Some(true), Some(false)));
+    let tallies = survey(&world, &[bearer.plan(), loose.plan()], 60.0);
+    assert!(tallies[0].falls.tries >= 4, "{tallies:?}");
+    assert_eq!(tallies[0].falls.count, tallies[0].falls.tries);
+    assert_eq!(tallies[1].falls.count, 0);
+    assert!(tallies[1].freedom() > 0.0 && tallies[0].freedom() == 0.0);
+    assert!(tallies[1].falls.interval()[1] < tallies[0].falls.interval()[0]);
+}
+
+#[test]
+fn threads_change_no_bit_of_a_survey_or_of_a_choice() {
+    let world = settled(&tower(5, 2)).world().clone();
+    let bodies: Vec<BodyId> = world.bodies().take(9).collect();
+    let thinking = Thinking { budget: 30.0, candidates: 3, ..Strength::Skilled.thinking() };
+    let think = || choose(&world, &official(), &bodies, &thinking, 7).expect("estimates are towers");
+    let (one, two) = (in_threads(1, think), in_threads(2, think));
+    assert_eq!(one, two);
+    assert!(one.iter().all(|considered| considered.tally.falls.tries >= 1));
+}
+
+#[test]
+fn a_rollout_follows_from_its_seed() {
+    let world = settled(&tower(4, 2)).world().clone();
+    let plan = Candidate::ranked(&world, &[BodyId(4)])[0].plan();
+    let roll = |seed| roll_out(&world, &official(), plan, &TrialErrors::default(), seed).expect("it is a tower");
+    let (first, again, other) = (roll(1), roll(1), roll(2));
+    assert_eq!(first, again);
+    assert!(first.moved != other.moved);
+    assert!(!first.fell && first.end == Some(MoveEnd::Placed) && first.seconds < 20.0, "{first:?}");
+}
+
+#[test]
+fn an_opponent_that_thinks_takes_the_safe_block_of_a_tower_where_others_fell_it() {
+    // One block can be taken: the end of the second row.
+    let world = world("(010)-(110)-(010)-(111)-(111)");
+    let removable: Vec<BodyId> = (0..4).map(BodyId).collect();
+    for strength in [Strength::Skilled, Strength::Expert] {
+        let thinking = Thinking { budget: 40.0, ..strength.thinking() };
+        let chosen = choose(&world, &official(), &removable, &thinking, 3).expect("estimates are towers");
+        assert_eq!(chosen[0].candidate.body, BodyId(1), "{strength:?}: {chosen:?}");
+    }
+}
+
+#[test]
+fn a_turn_of_an_opponent_is_within_the_rules_and_its_game_replays() {
+    let mut recorder = Recorder::new(&tower(5, 3), Params::default(), official()).expect("the scene is valid");
+    let thinking = Thinking { budget: 1.0, candidates: 2, ..Strength::Skilled.thinking() };
+    let mut opponent = Opponent::with_thinking(0, thinking, 4);
+    let mut events = Vec::new();
+    while recorder.game().turn().expect("there are turns").number == 1 && recorder.game().world().time() < 60.0 {
+        let command = opponent.next(recorder.game());
+        events.extend(recorder.step(&command).expect("the record is short").events);
+    }
+    let refused = |event: &Event| matches!(event, Event::Refused { .. } | Event::Illegal { .. } | Event::Fell { .. });
+    assert!(!events.iter().any(refused) && events.contains(&Event::Settled { player: 0 }), "{events:?}");
+    assert!(verify(&recorder.finish()).expect("the game begins").same);
+}
+
+#[test]
+fn a_contest_ends_with_a_loser_and_its_record_ends_the_same() {
+    let scene = config("(010)-(110)-(101)-(111)", &TowerOptions::default()).expect("the notation is valid");
+    let random = [Strength::Random.thinking(); 2];
+    let game = contest(&scene, official(), &random, 2).expect("a game can begin");
+    let outcome = game.outcome.expect("it has an end");
+    let mut replay = Replay::new(&game.record).expect("a game can begin");
+    while replay.step().is_some() {}
+    assert!(replay.is_same());
+    let turn = replay.into_game().turn().expect("there are turns");
+    assert_eq!((turn.phase, turn.outcome), (Phase::Over, Some(outcome)));
+    assert_ne!(outcome.loser, outcome.winner);
+}
+
+#[test]
+fn an_opponent_idles_in_free_play_and_in_the_turn_of_another() {
+    let world = World::new(&tower(4, 1), Params::default()).expect("the scene is valid");
+    let mut opponent = Opponent::new(1, Strength::Expert, 1);
+    assert_eq!(opponent.next(&Game::new(world.clone())), teeter_game::Command::Idle);
+    let mut game = Game::with_rules(world, official()).expect("the rules are valid");
+    for _ in 0..90 {
+        assert_eq!(opponent.next(&game), teeter_game::Command::Idle);
+        game.step(&teeter_game::Command::Idle);
+    }
+}
