@@ -20,7 +20,9 @@ mod stiffness_ramp;
 mod tower_map;
 mod update;
 
+pub use analysis::breakdown::{Breakdown, FallAnalysis, MoveAnalysis, breakdown};
 pub use analysis::candidate::Candidate;
+pub use analysis::collapse_cause::{ContactWatch, LostContact};
 pub use analysis::estimate::{EstimateErrors, estimate};
 pub use analysis::freedom::freedom;
 pub use analysis::holders::holders;
