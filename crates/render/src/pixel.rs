@@ -67,7 +67,7 @@ impl PixelGrid<'_> {
         let corner = (x as f32, y as f32);
         groups.clear();
         FIRST.iter().for_each(|&point| self.add(groups, corner, point));
-        if groups.len() > 1 {
+        if groups.len() > 1 || self.is_foot(&groups[0]) {
             groups.clear();
             for k in 0..GRID * GRID {
                 // Each row is offset, so that a steep edge crosses points one after the other.
@@ -75,7 +75,6 @@ impl PixelGrid<'_> {
                 let offset = (row as f32 + 0.5) / GRID as f32;
                 let point = ((column as f32 + offset) / GRID as f32, (row as f32 + 0.5) / GRID as f32);
                 self.add(groups, corner, point);
-                // At the foot of a block the table is dark or light within one pixel.
                 split_table(groups);
             }
         }
@@ -83,6 +82,14 @@ impl PixelGrid<'_> {
         let sum: Vec3 = groups.iter().map(|group| group.count as f32 * self.shade(group)).sum();
         let colour = 255.0 * sum / points as f32;
         colour.to_array().map(|channel| (channel + 0.5) as u8)
+    }
+
+    /// Returns true for a point of the table at the foot of a block, where it is dark and light
+    /// within one pixel.
+    fn is_foot(&self, group: &Group) -> bool {
+        let (x, y) = (group.x / group.count as f32, group.y / group.count as f32);
+        let point = || intersect(&self.lens.ray(x, y), Vec3::ZERO, Vec3::Z);
+        matches!(group.visible, Visible::Table { .. }) && self.stage.occlusion.is_foot(point())
     }
 
     fn add(&self, groups: &mut Vec<Group>, corner: (f32, f32), point: (f32, f32)) {

@@ -79,6 +79,11 @@ impl Occlusion {
         seen
     }
 
+    /// Returns true if a point of the table is within a cell of a block that stands on it.
+    pub fn is_foot(&self, point: Vec3) -> bool {
+        self.nearby.contains(point) && self.filled(point + START * Vec3::Z, 0.0) > 0.0
+    }
+
     /// Light that arrives along a direction.
     fn seen(&self, from: Vec3, direction: Vec3) -> f32 {
         STEPS.iter().fold(1.0, |seen, &(distance, part, level)| {
@@ -147,6 +152,7 @@ mod tests {
     fn the_sky_is_free_far_from_a_block_and_half_taken_at_its_foot() {
         let occlusion = cube_at(0.0);
         assert_eq!(occlusion.sky(Vec3::new(0.15, 0.0, 0.0), Vec3::Z), 1.0);
+        assert!(!occlusion.is_foot(Vec3::new(0.15, 0.0, 0.0)) && occlusion.is_foot(Vec3::new(0.0302, 0.0, 0.0)));
         let foot = occlusion.sky(Vec3::new(0.0302, 0.0, 0.0), Vec3::Z);
         assert!((0.2..0.7).contains(&foot), "{foot}");
         // A rounding error of the height changes nothing.
