@@ -292,7 +292,15 @@ impl Referee {
                 && offset.z.abs() < AT_HEIGHT * size.z
                 && angle_between(nearest_alike(slot.orientation, orientation), orientation) < MAX_ASKEW
         };
-        TowerMap::new(blocks, Some(body)).slots(size).iter().find(|slot| is_in(slot)).map(Slot::id)
+        let slots = TowerMap::new(blocks, Some(body)).slots(size);
+        if slots.is_empty() {
+            // The top row has a gap that no block fits in: it may be forced in, or put above.
+            let cells = TowerMap::new(blocks, None).cells();
+            let highest = cells.iter().map(|(_, cell)| cell.row).max();
+            let cell = cells.iter().find(|(other, _)| *other == body).map(|(_, cell)| *cell);
+            return cell.filter(|cell| Some(cell.row) == highest);
+        }
+        slots.iter().find(|slot| is_in(slot)).map(Slot::id)
     }
 
     /// Ends a turn in which a block was placed safely.
@@ -386,5 +394,24 @@ impl Referee {
             && (self.phase == Phase::Over || self.block.is_some() == has_block)
             && self.outcome.is_some() == (self.phase == Phase::Over)
             && self.outcome.iter().flat_map(|o| o.loser.iter().chain(&o.winner)).all(is_player)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::blocks::samples::{moved, tower};
+    use crate::rules::table::Table;
+
+    #[test]
+    fn a_gap_that_no_block_fits_in_does_not_end_the_game_without_a_loser() {
+        // Body 8 lies across the unfinished row of the bodies 6 and 7.
+        let above = tower(&["xxx", "xxx", "x.x", ".x."], 0.0);
+        let referee = Referee::new(Rules::of(Table::Official, 2), &above).unwrap();
+        assert_eq!(referee.slot_of(&above, BodyId(8)), None, "the row beneath is completed first");
+        let narrow = moved(&above, 6, DVec3::Y * 0.002);
+        assert_eq!(referee.slot_of(&narrow, BodyId(8)), Some(CellId { row: 3, cell: 1 }));
+        let beside = moved(&narrow, 8, DVec3::new(0.3, 0.0, -3.0 * 0.018));
+        assert_eq!(referee.slot_of(&beside, BodyId(8)), None);
     }
 }

@@ -194,6 +194,9 @@ fn play_all(sequences: u64, frames: usize) {
             seen.extend(phases.into_iter().filter(|phase| *phase != Phase::Choosing));
             refused += refusals;
         }
+        if seed % 50 == 49 {
+            println!("{} sequences of each table, {refused} commands refused", seed + 1);
+        }
     }
     for phase in [Phase::Removing, Phase::Placing, Phase::Settling, Phase::Over] {
         assert!(seen.contains(&phase), "no sequence reached {phase:?}");
