@@ -174,6 +174,9 @@ pub enum Error {
     /// Standard input for two files.
     #[error("standard input cannot be both the scene and the inputs: give the file of one of them")]
     StdinTwice,
+    /// Tournament without a pair.
+    #[error("--players names one opponent: a tournament needs two opponents, such as random,expert")]
+    OneOpponent,
     /// Labelled towers that cannot be read.
     #[error(transparent)]
     Labelled(#[from] LabelledError),

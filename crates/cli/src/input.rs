@@ -4,9 +4,13 @@ use std::fs::File;
 use std::io::{self, Read};
 use std::path::Path;
 
+use teeter_game::{Record, RecordError};
 use teeter_scene::{MAX_BYTES, Scene, SceneError, Settlement, named, read_text, settle};
 
 use crate::error::{Error, InputError};
+
+/// Maximum size of a record, bytes.
+const MAX_RECORD: u64 = 64_000_000;
 
 /// Opened file or standard input.
 pub struct Source {
@@ -71,13 +75,61 @@ pub fn settled_scene(path: &Path) -> Result<(Scene, Settlement), Error> {
     Ok((scene, settlement))
 }
 
+/// Scene, or record of a game with its name for messages.
+pub enum Subject {
+    /// A scene.
+    Scene(Scene),
+    /// A record.
+    Record(Record, String),
+}
+
+/// Reads the record of a game, or a scene as [`scene`] does.
+pub fn record_or_scene(path: &Path) -> Result<Subject, Error> {
+    if listed_name(path).is_some() {
+        return scene(path).map(Subject::Scene);
+    }
+    let (bytes, name) = bytes(path, MAX_RECORD)?;
+    match Record::decode(&bytes) {
+        Ok(record) => Ok(Subject::Record(record, name)),
+        Err(RecordError::Foreign) => {
+            let scene = read_text(&bytes[..], MAX_BYTES).and_then(|text| Scene::parse(&text));
+            let scene = scene.and_then(|scene| scene.validate().map(|()| scene));
+            scene.map(Subject::Scene).map_err(|error| Error::input(&name, error))
+        }
+        Err(source) => Err(Error::Record { name, source }),
+    }
+}
+
+/// Reads the record of a game, and returns its name for messages besides.
+pub fn record(path: &Path) -> Result<(Record, String), Error> {
+    let (bytes, name) = bytes(path, MAX_RECORD)?;
+    match Record::decode(&bytes) {
+        Ok(record) => Ok((record, name)),
+        Err(source) => Err(Error::Record { name, source }),
+    }
+}
+
+/// Reads a file of at most `limit` bytes, or standard input for `-`. Returns its name for messages
+/// besides.
+fn bytes(path: &Path, limit: u64) -> Result<(Vec<u8>, String), Error> {
+    let Source { name, reader } = open(path, limit)?;
+    let mut bytes = Vec::new();
+    reader.take(limit + 1).read_to_end(&mut bytes).map_err(|error| Error::input(&name, error))?;
+    if bytes.len() as u64 > limit {
+        return Err(Error::input(&name, InputError::TooLarge(limit)));
+    }
+    Ok((bytes, name))
+}
+
+/// Name that a path can only be of a scene of the list: no such file is there.
+fn listed_name(path: &Path) -> Option<&str> {
+    let is_name = |name: &&str| *name != "-" && name.chars().all(|c| c.is_ascii_alphanumeric() || c == '-');
+    path.to_str().filter(is_name).filter(|_| !path.exists())
+}
+
 /// Reads a scene that is not validated, and returns its name for messages besides.
 fn unchecked_scene(path: &Path) -> Result<(Scene, String), Error> {
-    if let Some(name) = path.to_str()
-        && name != "-"
-        && name.chars().all(|c| c.is_ascii_alphanumeric() || c == '-')
-        && !path.exists()
-    {
+    if let Some(name) = listed_name(path) {
         return Ok((named_scene(name)?, name.to_owned()));
     }
     let source = open(path, MAX_BYTES)?;

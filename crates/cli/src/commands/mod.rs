@@ -1,5 +1,6 @@
 //! Commands of the shell, a file each.
 
+mod analyse;
 mod dissertation;
 mod forces;
 mod play;
@@ -9,6 +10,7 @@ mod replay;
 mod run;
 mod scene;
 mod score;
+mod tournament;
 mod validate;
 
 use clap::Subcommand;
@@ -31,6 +33,10 @@ pub enum Command {
     Record(record::Record),
     /// Play the record of a game again, and verify that it is the same.
     Replay(replay::Replay),
+    /// Find the chance that taking each block fells a tower, or the moves of a recorded game.
+    Analyse(analyse::Analyse),
+    /// Play opponents against each other, a record a game, with a table of results.
+    Tournament(tournament::Tournament),
     /// Predict labelled towers: which fall, or at what tilt.
     Score(score::Score),
     /// Measure the force that starts each block sliding, beside that of rigid blocks.
@@ -55,6 +61,8 @@ impl Command {
             Command::Render(render) => render.run(),
             Command::Record(record) => record.run(),
             Command::Replay(replay) => replay.run(),
+            Command::Analyse(analyse) => analyse.run(),
+            Command::Tournament(tournament) => tournament.run(),
             Command::Score(score) => score.run(),
             Command::Forces(forces) => forces.run(),
             Command::Validate(validate) => validate.run(),

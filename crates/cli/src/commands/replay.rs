@@ -1,19 +1,15 @@
 //! `teeter replay`: plays the record of a game again, and verifies that it is the same.
 
-use std::io::Read;
 use std::path::PathBuf;
 
 use clap::Args;
 use serde::Serialize;
 use teeter_game::{Divergence, Record, RecordError, Replay as Game, Rules, Verification, engine_id, verify};
 
-use crate::error::{Error, InputError};
+use crate::error::Error;
 use crate::game_event::GameEvent;
 use crate::warnings::Warnings;
 use crate::{input, output};
-
-/// Maximum size of a record, bytes.
-const MAX_RECORD: u64 = 64_000_000;
 
 /// Arguments of `teeter replay`.
 #[derive(Debug, Args)]
@@ -64,18 +60,8 @@ struct Played<'a> {
 impl Replay {
     /// Plays a record and prints its events, or whether it is the same.
     pub fn run(self) -> Result<(), Error> {
-        let source = input::open(&self.file, MAX_RECORD)?;
-        let mut bytes = Vec::new();
-        source
-            .reader
-            .take(MAX_RECORD + 1)
-            .read_to_end(&mut bytes)
-            .map_err(|error| Error::input(&source.name, error))?;
-        if bytes.len() as u64 > MAX_RECORD {
-            return Err(Error::input(&source.name, InputError::TooLarge(MAX_RECORD)));
-        }
-        let refused = |error: RecordError| Error::Record { name: source.name.clone(), source: error };
-        let record = Record::decode(&bytes).map_err(refused)?;
+        let (record, name) = input::record(&self.file)?;
+        let refused = |error: RecordError| Error::Record { name: name.clone(), source: error };
         let mut warnings = Warnings::default();
         if record.engine != engine_id() {
             let (theirs, ours) = (&record.engine, engine_id());

@@ -120,8 +120,7 @@ pub fn breakdown(record: &Record, survey: &Survey, tried: impl Fn() + Sync) -> R
 
 fn analyse(played: &Played, survey: &Survey, tried: &(impl Fn() + Sync)) -> Result<MoveAnalysis, BuildError> {
     let others: Vec<BodyId> = played.removable.iter().copied().filter(|body| *body != played.plan.body).collect();
-    let mut others = Candidate::ranked(&played.before, &others);
-    others.truncate(OTHERS);
+    let others = Candidate::best(&played.before, &others, OTHERS);
     let plans: Vec<MovePlan> = std::iter::once(played.plan).chain(others.iter().map(Candidate::plan)).collect();
     let tallies = survey.run(&played.before, &plans, tried)?;
     let rated = others.iter().zip(&tallies[1..]).map(|(other, tally)| (other.body, tally.falls));

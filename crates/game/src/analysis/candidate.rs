@@ -40,19 +40,35 @@ impl Candidate {
     /// # Panics
     /// When the world has no such body.
     pub fn ranked(world: &World, bodies: &[BodyId]) -> Vec<Self> {
+        Self::best(world, bodies, bodies.len())
+    }
+
+    /// The first `count` of [`Candidate::ranked`]. Limit analysis takes the blocks from the loosest
+    /// on, and ends once it has so many without which the tower stands.
+    ///
+    /// # Panics
+    /// When the world has no such body.
+    pub fn best(world: &World, bodies: &[BodyId], count: usize) -> Vec<Self> {
         let loads = xray(world, world.scene().friction);
+        let tightness = |body: BodyId| loads[body.index()].tightness_n;
+        let mut bodies = bodies.to_vec();
+        bodies.sort_by(|a, b| tightness(*a).total_cmp(&tightness(*b)).then(a.cmp(b)));
         let scene = levelled(world);
-        let mut candidates = par_map(bodies, |body| Self {
-            body: *body,
-            toward: outward(world, *body),
-            tightness_n: loads[body.index()].tightness_n,
-            falls: falls_without(&scene, body.index()),
-        });
-        let rank = |candidate: &Self| (candidate.falls == Some(true), candidate.tightness_n);
-        candidates.sort_by(|a, b| {
-            let ((a_falls, a_force), (b_falls, b_force)) = (rank(a), rank(b));
-            a_falls.cmp(&b_falls).then(a_force.total_cmp(&b_force)).then(a.body.cmp(&b.body))
-        });
+        let mut candidates: Vec<Self> = Vec::new();
+        for chunk in bodies.chunks(count.max(1)) {
+            candidates.extend(par_map(chunk, |body| Self {
+                body: *body,
+                toward: outward(world, *body),
+                tightness_n: tightness(*body),
+                falls: falls_without(&scene, body.index()),
+            }));
+            if candidates.iter().filter(|candidate| candidate.falls != Some(true)).count() >= count {
+                break;
+            }
+        }
+        // The sort is stable: the loosest stay first.
+        candidates.sort_by_key(|candidate| candidate.falls == Some(true));
+        candidates.truncate(count);
         candidates
     }
 

@@ -50,9 +50,7 @@ pub fn choose(
 ) -> Result<Vec<Considered>, BuildError> {
     let count = (thinking.candidates as usize).max(1);
     let candidates = if thinking.is_ranked {
-        let mut ranked = Candidate::ranked(world, bodies);
-        ranked.truncate(count);
-        ranked
+        Candidate::best(world, bodies, count)
     } else {
         Candidate::ranked(world, &drawn(bodies, count, seed))
     };

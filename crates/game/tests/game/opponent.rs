@@ -43,6 +43,18 @@ fn a_block_without_which_the_tower_falls_by_statics_falls_in_every_rollout_and_a
 }
 
 #[test]
+fn the_best_candidates_are_the_first_of_all() {
+    for text in ["(111)-(010)-(1L1)-(111)-(010)", "(010)-(010)-(110)-(111)"] {
+        let world = world(text);
+        let bodies: Vec<BodyId> = world.bodies().collect();
+        let ranked = Candidate::ranked(&world, &bodies);
+        for count in [1, 2, 5, bodies.len()] {
+            assert_eq!(Candidate::best(&world, &bodies, count), ranked[..count], "{text}");
+        }
+    }
+}
+
+#[test]
 fn threads_change_no_bit_of_a_survey_or_of_a_choice() {
     let world = settled(&tower(5, 2)).world().clone();
     let bodies: Vec<BodyId> = world.bodies().take(9).collect();
@@ -115,4 +127,22 @@ fn an_opponent_idles_in_free_play_and_in_the_turn_of_another() {
         assert_eq!(opponent.next(&game), teeter_game::Command::Idle);
         game.step(&teeter_game::Command::Idle);
     }
+}
+
+/// Number of seeds of six for which the block that a strength chooses can be taken by statics, of a
+/// tower with one such block of four.
+fn safe_choices(world: &World, strength: Strength) -> usize {
+    let removable: Vec<BodyId> = (0..4).map(BodyId).collect();
+    let thinking = Thinking { budget: strength.thinking().budget.min(1.0), ..strength.thinking() };
+    let chosen = |seed| choose(world, &official(), &removable, &thinking, seed).expect("estimates are towers");
+    (0..6).filter(|seed| chosen(*seed)[0].candidate.body == BodyId(1)).count()
+}
+
+#[test]
+fn the_more_an_opponent_thinks_the_more_often_it_finds_the_one_safe_block() {
+    let world = world("(010)-(110)-(010)-(111)-(111)");
+    let [random, beginner, skilled] =
+        [Strength::Random, Strength::Beginner, Strength::Skilled].map(|strength| safe_choices(&world, strength));
+    assert!(random < beginner && beginner <= skilled, "{random} {beginner} {skilled}");
+    assert_eq!(skilled, 6);
 }
