@@ -10,7 +10,8 @@ const GOLDEN_BITS: &str = "d7fda0eb796ee1d1";
 /// record then plays from its keyframes.
 ///
 /// ```
-/// let (version, bits) = teeter_game::engine_id().split_once('+').expect("two parts");
+/// let id = teeter_game::engine_id();
+/// let (version, bits) = id.split_once('+').expect("two parts");
 /// assert!(version.starts_with("0.") && bits.len() == 16);
 /// ```
 pub fn engine_id() -> String {
