@@ -55,7 +55,7 @@ pub enum BuildError {
     /// A contact of the scene would give by too much under the weight that rests on it.
     #[error(
         "block {id}: {load:.1e} N rest on {bearer}, and the contact would give by {depth:.1e} m, more than a \
-         twentieth of the thinner block: expected a `stiffness` of at least {stiffness:.1e} N/m, or lighter blocks"
+         tenth of the thinner block: expected a `stiffness` of at least {stiffness:.1e} N/m, or lighter blocks"
     )]
     Overload {
         /// Id of the block that sinks.

@@ -120,9 +120,9 @@ pub const MIN_SUNK_DEPTH: f64 = 1e-6;
 /// impact, so that fading does little work.
 pub const FREE_DEPTH_RATE: f64 = 0.05;
 
-/// Depth to which the weight on a contact may press it, over the smallest edge of its blocks: half
-/// of [`START_REACH`], since what drops onto a contact presses it twice as deep.
-pub const MAX_SAG: f64 = 0.05;
+/// Depth to which the weight on a contact may press it, over the smallest edge of its blocks. What
+/// drops onto a contact presses it twice as deep.
+pub const MAX_SAG: f64 = 0.1;
 /// Gap up to which blocks touch at the start, m: the rounding of files with five digits.
 pub const TOUCH_GAP: f64 = 2e-5;
 /// Time over which gravity grows while a new world settles, s.
@@ -132,9 +132,9 @@ pub const START_TIME: f64 = 3.0;
 /// Share of its velocity that a body keeps at the end of each frame in which gravity grows.
 pub const START_DAMPING: f64 = 0.5;
 /// Travel of a block against one that it touches, over the middle edge of the smaller, from which
-/// it does not settle but falls or slides. A loose block of a tower rocks by a tenth of it, a card
-/// of a house by half its thickness.
-pub const START_REACH: f64 = 0.03;
+/// it does not settle but falls or slides. A loose block of a tower rocks by a twentieth of it, a
+/// card of a house by half its thickness.
+pub const START_REACH: f64 = 0.07;
 /// Speed below which a body has settled, m/s.
 pub const START_SPEED: f64 = 1e-5;
 /// Speed up to which a body that has not settled in time begins where it is, m/s.

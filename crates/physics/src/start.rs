@@ -90,11 +90,13 @@ impl World {
         let grows = self.time < START_RAMP;
         for body in self.bodies() {
             let root = islands.root[body.index()] as usize;
-            let passed = energies[root] < islands.peaks[root];
+            let share = match energies[root] < islands.peaks[root] {
+                _ if grows => START_DAMPING,
+                true => 0.0,
+                false => 1.0,
+            };
             match islands.of(body) {
-                Island::Settling if grows => self.slow(body, START_DAMPING),
-                Island::Settling if passed => self.slow(body, 0.0),
-                Island::Settling => {}
+                Island::Settling => self.slow(body, share),
                 Island::Free | Island::Settled | Island::Restless => self.hold(body),
             }
         }
@@ -221,7 +223,8 @@ impl World {
         cluster.bodies.spin[i] = DVec3::ZERO;
     }
 
-    /// Leaves a share of a body's motion.
+    /// Leaves a share of a body's motion as a whole; particles of a block lose that of their
+    /// strain.
     fn slow(&mut self, body: BodyId, share: f64) {
         let Twist { velocity, spin } = self.twist(body);
         self.set_twist(body, Twist { velocity: velocity * share, spin: spin * share });

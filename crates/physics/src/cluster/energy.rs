@@ -166,6 +166,7 @@ mod tests {
         assert!(may_have(&scene, &Input::default(), DVec3::Z * 100.1, DVec3::ZERO));
         // The range of the method ends at 10 km/s, whatever the energy.
         scene.blocks[0].mass = 1e3;
+        scene.stiffness = 1e7;
         let mut light = scene.blocks[0].clone();
         (light.id, light.mass, light.pos) = (99, 1e-3, [0.0, 0.0, 1.1]);
         scene.blocks.insert(0, light);
