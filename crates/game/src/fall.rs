@@ -232,6 +232,20 @@ mod tests {
         assert_eq!(detector.observe(&tipped(0.35), IDLE), [BodyId(3)]);
     }
 
+    /// The paths along bearers that have fallen are three to the number of the rows.
+    #[test]
+    fn the_fall_of_a_tower_of_forty_rows_is_found_in_no_time() {
+        let upright = tower(&["xxx"; 40], 0.0);
+        let mut detector = FallDetector::new(&upright);
+        let mut poses = Vec::new();
+        for body in upright.bodies() {
+            let position = upright.position(body);
+            push(&mut poses, position.with_z(0.3 * position.z - 0.02), upright.orientation(body));
+        }
+        detector.observe(&blocks(&poses), IDLE);
+        assert_eq!(detector.fallen().len(), 120);
+    }
+
     #[test]
     fn a_tower_of_soft_blocks_that_sinks_has_not_fallen_and_a_block_that_falls_from_it_has() {
         let upright = tower(&["xxx"; 18], 0.0);

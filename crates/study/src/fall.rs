@@ -16,6 +16,8 @@
 //! has no length of its own and holds for blocks of any size. It asks for nothing sideways: a block
 //! that slides on its bearers has not fallen before it leaves them.
 
+use std::collections::BTreeSet;
+
 use glam::DVec3;
 use serde::{Deserialize, Serialize};
 use teeter_physics::{BodyId, World};
@@ -277,7 +279,7 @@ impl Footing {
 
     /// Supports of a block where the blocks that are `gone` bear none.
     fn supports(&self, body: usize, gone: &[bool]) -> Supports<'_> {
-        let mut supports = Supports { bearers: Vec::new(), is_grounded: false };
+        let mut supports = Supports { bearers: Vec::new(), is_grounded: false, replaced: BTreeSet::new() };
         self.collect_supports(body, gone, &mut supports);
         supports
     }
@@ -287,7 +289,10 @@ impl Footing {
         supports.is_grounded |= stance.is_grounded;
         for bearer in &stance.bearers {
             if gone[bearer.body as usize] {
-                self.collect_supports(bearer.body as usize, gone, supports);
+                // Rows that cross bear each other on many paths: each block is passed once.
+                if supports.replaced.insert(bearer.body) {
+                    self.collect_supports(bearer.body as usize, gone, supports);
+                }
             } else if supports.bearers.iter().all(|other| other.body != bearer.body) {
                 supports.bearers.push(bearer);
             }
@@ -299,6 +304,8 @@ impl Footing {
 struct Supports<'a> {
     bearers: Vec<&'a Bearer>,
     is_grounded: bool,
+    /// Bearers that are gone and were replaced by their own.
+    replaced: BTreeSet<u32>,
 }
 
 impl Supports<'_> {
