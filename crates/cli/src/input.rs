@@ -80,7 +80,7 @@ pub enum Subject {
     /// A scene.
     Scene(Scene),
     /// A record.
-    Record(Record, String),
+    Record(Box<Record>, String),
 }
 
 /// Reads the record of a game, or a scene as [`scene`] does.
@@ -90,7 +90,7 @@ pub fn record_or_scene(path: &Path) -> Result<Subject, Error> {
     }
     let (bytes, name) = bytes(path, MAX_RECORD)?;
     match Record::decode(&bytes) {
-        Ok(record) => Ok(Subject::Record(record, name)),
+        Ok(record) => Ok(Subject::Record(Box::new(record), name)),
         Err(RecordError::Foreign) => {
             let scene = read_text(&bytes[..], MAX_BYTES).and_then(|text| Scene::parse(&text));
             let scene = scene.and_then(|scene| scene.validate().map(|()| scene));
