@@ -54,7 +54,7 @@ impl Tally {
 ///
 /// let world = teeter_study::settled(&teeter_scene::named("column").unwrap(), Params::default())?;
 /// let plan = Candidate::ranked(&world, &[BodyId(9)])[0].plan();
-/// let survey = Survey { rules: Rules::default(), errors: TrialErrors::default(), budget: 5.0, seed: 1 };
+/// let survey = Survey { rules: Rules::default(), errors: TrialErrors::default(), budget: 0.0, seed: 1 };
 /// let tally = &survey.run(&world, &[plan], || ())?[0];
 /// assert_eq!((tally.falls.count, tally.falls.tries), (0, 1));
 /// # Ok::<(), teeter_physics::BuildError>(())

@@ -32,9 +32,9 @@ pub struct BlockAnalysis {
 /// let world = teeter_study::settled(&teeter_scene::named("column").unwrap(), Params::default())?;
 /// let survey = Survey { rules: Rules::default(), errors: TrialErrors::default(), budget: 0.0, seed: 1 };
 /// let blocks = analyse_tower(&world, &survey, || ())?;
-/// // only the top block can be taken
-/// assert!(blocks[..9].iter().all(|block| block.tally.falls.share() == 1.0));
 /// assert_eq!((blocks[9].tally.falls.share(), blocks[9].held_by.len()), (0.0, 0));
+/// // the others bear the column above them
+/// assert!(blocks[..9].iter().all(|block| block.candidate.falls == Some(true) && block.held_by.len() == 1));
 /// # Ok::<(), teeter_physics::BuildError>(())
 /// ```
 pub fn analyse_tower(

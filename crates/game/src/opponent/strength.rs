@@ -72,7 +72,7 @@ impl Strength {
             Self::Beginner => thinking(3, false, 20.0, errors(1e-4, 0.2, 1e-3)),
             Self::Skilled => thinking(5, true, 50.0, errors(5e-5, 0.1, 5e-4)),
             Self::Expert => Thinking { trouble: 0.05, ..thinking(8, true, 130.0, errors(2e-5, 0.05, 2e-4)) },
-            Self::Gentle => Thinking { trouble: -0.05, risk: 0.3, ..thinking(6, false, 60.0, errors(5e-5, 0.1, 5e-4)) },
+            Self::Gentle => Thinking { trouble: -0.05, risk: 0.5, ..thinking(4, false, 80.0, errors(5e-5, 0.1, 5e-4)) },
         }
     }
 }

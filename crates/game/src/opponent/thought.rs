@@ -71,9 +71,13 @@ pub fn choose(
 }
 
 fn cost(thinking: &Thinking, tally: &Tally) -> f64 {
-    let chance = tally.falls.expected();
+    // Few rollouts are not certain for one who shuns a fall; one who wants a risk takes what it saw.
+    let risk = match thinking.risk {
+        wanted if wanted > 0.0 => (tally.falls.share() - wanted).abs(),
+        _ => tally.falls.expected(),
+    };
     let trouble = thinking.trouble * libm::log2(1.0 + tally.freedom());
-    (chance - thinking.risk).abs() + STUCK * tally.stuck.share() + trouble
+    risk + STUCK * tally.stuck.share() + trouble
 }
 
 /// Draws `count` different bodies, or all where there are fewer.
