@@ -71,7 +71,8 @@ pub fn choose(
 }
 
 fn cost(thinking: &Thinking, tally: &Tally) -> f64 {
-    // Few rollouts are not certain for one who shuns a fall; one who wants a risk takes what it saw.
+    // Few rollouts are not certain for one who shuns a fall; one who wants a risk takes what it
+    // saw.
     let risk = match thinking.risk {
         wanted if wanted > 0.0 => (tally.falls.share() - wanted).abs(),
         _ => tally.falls.expected(),
