@@ -132,9 +132,9 @@ pub const START_TIME: f64 = 3.0;
 /// Share of its velocity that a body keeps at the end of each frame in which gravity grows.
 pub const START_DAMPING: f64 = 0.5;
 /// Travel of a block against one that it touches, over the middle edge of the smaller, from which
-/// it does not settle but falls or slides. A loose block of a tower rocks by a twentieth of it, a
-/// card of a house by half its thickness.
-pub const START_REACH: f64 = 0.07;
+/// it does not settle but falls or slides: more than [`MAX_SAG`], by which soft contacts give. A
+/// loose block of a tower rocks by a thirtieth of it, a card of a house by half its thickness.
+pub const START_REACH: f64 = 0.12;
 /// Speed below which a body has settled, m/s.
 pub const START_SPEED: f64 = 1e-5;
 /// Speed up to which a body that has not settled in time begins where it is, m/s.
