@@ -157,6 +157,12 @@ pub enum Error {
         /// Name of the file.
         name: String,
     },
+    /// Options of a simulation beside a record.
+    #[error("{name} is a record, which has its own inputs, stiffness, friction and form: leave those options out")]
+    RecordOptions {
+        /// Name of the file.
+        name: String,
+    },
     /// Duration or frame rate of a picture.
     #[error("{name} is one picture: --seconds and --fps are for films, which end with .gif or .mp4")]
     FilmOptions {

@@ -37,6 +37,13 @@ fn a_recorded_game_replays_the_same() {
     let verified = teeter(&["replay", &file, "--verify", "--json"]).json();
     assert_eq!((&verified["same"], &verified["hash"]), (&true.into(), &report["hash"]));
     assert!(verified["diverged_at_s"].is_null() && verified["block"].is_null());
+    let film = dir.path().join("game.gif").display().to_string();
+    let drawn = teeter(&["render", &file, "--out", &film, "--size", "40x30", "--fps", "5", "--json"]).json();
+    // 202 frames are 3.37 s
+    assert_eq!((&drawn["pictures"], &drawn["to_s"]), (&17.into(), &3.2.into()), "{drawn}");
+    assert!(fs::read(&film).unwrap().starts_with(b"GIF89a") && drawn["warnings"].as_array().unwrap().is_empty());
+    let refused = teeter(&["render", &file, "--out", &film, "--stiffness", "2e6"]);
+    assert!(refused.code == 2 && refused.error_line().contains("is a record"), "{}", refused.err);
     let played = teeter(&["replay", &file, "--json"]).json();
     assert_eq!((&played["events"], &played["hash"]), (&report["events"], &report["hash"]));
     assert_eq!((&played["rules"]["players"], &played["scene"]), (&3.into(), &"tower".into()));

@@ -1,12 +1,14 @@
-//! `teeter render`: draws a scene as a picture or a film.
+//! `teeter render`: draws a scene or a recorded game as a picture or a film.
 
 mod motion;
+mod recorded;
 mod view;
 
 use std::path::{Path, PathBuf};
 
 use clap::Args;
 use serde::Serialize;
+use teeter_game::Record;
 use teeter_render::{Camera, Film, FilmError, Format, GIF_FPS, Renderer, Size, View};
 use teeter_report::{OutFile, progress};
 use teeter_scene::Scene;
@@ -14,8 +16,9 @@ use teeter_study::Timeline;
 
 use crate::arguments::{EngineArguments, number};
 use crate::error::Error;
+use crate::input::{self, Subject};
 use crate::warnings::Warnings;
-use crate::{input, inputs, output};
+use crate::{inputs, output};
 use motion::{Motion, Simulated, Still};
 
 /// Default frame rates of films, 1/s. A GIF file counts in hundredths of a second.
@@ -30,8 +33,8 @@ const MAX_SECONDS: f64 = 3600.0;
 #[derive(Debug, Args)]
 #[command(allow_negative_numbers = true)]
 pub struct Render {
-    /// File of a scene, `-` for standard input, or the name of a scene of the list.
-    scene: PathBuf,
+    /// File of a scene or of a record, `-` for standard input, or the name of a scene of the list.
+    subject: PathBuf,
     /// File for the picture or film. Its extension is .png, .gif or .mp4.
     #[arg(long, value_name = "FILE")]
     out: PathBuf,
@@ -39,7 +42,7 @@ pub struct Render {
     /// it stands.
     #[arg(long, default_value_t = 0.0, value_parser = number(0.0, inputs::MAX_TIME), value_name = "SECONDS")]
     at: f64,
-    /// Duration of a film, s [default: 5].
+    /// Duration of a film, s [default: 5, and all that is left of a record].
     #[arg(long, value_parser = number(0.02, MAX_SECONDS))]
     seconds: Option<f64>,
     /// Pictures a second of a film, up to 50 for a GIF file [default: 30, and 20 for a GIF file].
@@ -107,25 +110,29 @@ impl Times {
 }
 
 impl Render {
-    /// Draws the scene and prints a report.
+    /// Draws the scene or the game and prints a report.
     pub fn run(self) -> Result<(), Error> {
-        if self.scene == Path::new("-") && self.inputs.as_ref() == Some(&self.scene) {
+        if self.subject == Path::new("-") && self.inputs.as_ref() == Some(&self.subject) {
             return Err(Error::StdinTwice);
         }
         let name = self.out.display().to_string();
         let format = Format::of(&self.out).ok_or_else(|| Error::PictureFormat { name: name.clone() })?;
-        let times = self.times(format, &name)?;
+        let (scene, record) = self.read()?;
+        let times = self.times(format, record.as_deref(), &name)?;
         let film_error = |source| match source {
             FilmError::Write(source) => Error::Write { name: name.clone(), source },
             source => Error::Film { name: name.clone(), source },
         };
         format.check(self.size, times.fps).map_err(film_error)?;
-        let scene = self.engine.material.apply(input::scene(&self.scene)?);
         let timeline = self.inputs.as_deref().map_or(Ok(Timeline::default()), |path| inputs::read(path, &scene))?;
         // Before the simulation, so that a missing folder is reported before minutes of work.
         let file = OutFile::create(&self.out).map_err(|source| Error::Create { name: name.clone(), source })?;
         let mut film = Film::new(format, file, self.size, times.fps).map_err(film_error)?;
-        let mut motion = self.motion(&scene, timeline, &times)?;
+        let mut motion = match &record {
+            None => self.motion(&scene, timeline, &times)?,
+            Some(record) => recorded::motion(record)
+                .map_err(|source| Error::Record { name: self.subject.display().to_string(), source })?,
+        };
         let renderer = Renderer::new(&scene);
         let mut camera = None;
         let bar = progress(u64::from(times.count), "pictures");
@@ -142,8 +149,22 @@ impl Render {
         self.print(&scene, &times, &camera, motion.warnings())
     }
 
+    /// Reads the scene, and the record if it is that of one.
+    fn read(&self) -> Result<(Scene, Option<Box<Record>>), Error> {
+        match input::record_or_scene(&self.subject)? {
+            Subject::Scene(scene) => Ok((self.engine.material.apply(scene), None)),
+            Subject::Record(record, name) => {
+                let scene = record.scene.clone();
+                if self.inputs.is_some() || self.engine.material.apply(scene.clone()) != scene {
+                    return Err(Error::RecordOptions { name });
+                }
+                Ok((scene, Some(record)))
+            }
+        }
+    }
+
     /// Pictures of a file of a format.
-    fn times(&self, format: Format, name: &str) -> Result<Times, Error> {
+    fn times(&self, format: Format, record: Option<&Record>, name: &str) -> Result<Times, Error> {
         if !format.is_film() {
             return match (self.seconds, self.fps) {
                 (None, None) => Ok(Times { from: self.at, count: 1, fps: 1.0 }),
@@ -151,7 +172,8 @@ impl Render {
             };
         }
         let fps = self.fps.unwrap_or(if format == Format::Gif { FPS_OF_GIF } else { FPS });
-        let count = (self.seconds.unwrap_or(SECONDS) * fps).round().max(1.0) as u32;
+        let seconds = record.map_or(SECONDS, |record| (record.seconds() - self.at).min(MAX_SECONDS));
+        let count = (self.seconds.unwrap_or(seconds) * fps).round().max(1.0) as u32;
         Ok(Times { from: self.at, count, fps })
     }
 

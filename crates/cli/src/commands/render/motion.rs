@@ -85,7 +85,8 @@ impl Motion for Simulated<'_> {
     }
 }
 
-fn poses_of(world: &World) -> Vec<StrainedPose> {
+/// Poses of all bodies of a world.
+pub fn poses_of(world: &World) -> Vec<StrainedPose> {
     world.bodies().map(|body| StrainedPose::of(world, body)).collect()
 }
 
