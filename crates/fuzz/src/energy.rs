@@ -28,7 +28,7 @@ pub enum Range {
 pub enum Violation {
     /// A frame gained this part of the energy at the start.
     Gain(f64),
-    /// A block was deeper in another or in the floor than [`MAX_DEPTH`], by this part of an edge.
+    /// A block was deeper in another or in the floor than is allowed, by this part of an edge.
     Depth(f64),
     /// A body was frozen.
     Quarantine,

@@ -2,7 +2,7 @@
 
 use crate::constants::MAX_SUBSTEPS;
 
-/// Error of [`World::new`] and [`World::set_form`].
+/// Error of [`World::new`](crate::World::new) and [`World::set_form`](crate::World::set_form).
 ///
 /// ```
 /// use teeter_physics::{BuildError, Params, World};
