@@ -1,6 +1,7 @@
 //! Warnings of a command.
 
 use serde::Serialize;
+use teeter_game::engine_id;
 use teeter_physics::{StepReport, World};
 use teeter_scene::{Scene, printable};
 use teeter_study::Timeline;
@@ -32,6 +33,11 @@ impl Warnings {
             let (id, time) = (scene.blocks[body.index()].id, step.time);
             self.add(&format!("block {id} ran away at {time:.2} s and was frozen there"));
         }
+    }
+
+    /// Adds a warning for a record of another engine, and what follows from that.
+    pub fn add_engine(&mut self, engine: &str, consequence: &str) {
+        self.add(&format!("the record is of engine {engine}, and this is {}: {consequence}", engine_id()));
     }
 
     /// Adds a warning for inputs that begin after the end of a run.

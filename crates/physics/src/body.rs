@@ -264,6 +264,11 @@ pub fn middle_edge(half: DVec3) -> f64 {
     2.0 * x.max(y).min(x.max(z)).min(y.max(z))
 }
 
+/// Area of the largest face of a box with these half edges, m².
+pub fn largest_face(half: DVec3) -> f64 {
+    4.0 * (half.x * half.y).max(half.y * half.z).max(half.z * half.x)
+}
+
 /// Force and torque on a body.
 #[derive(Debug, Clone, Copy, Default)]
 pub struct BodyForce {

@@ -4,7 +4,7 @@
 use glam::DVec3;
 use teeter_scene::{Form, Scene};
 
-use crate::body::Shapes;
+use crate::body::{Shapes, largest_face};
 use crate::constants::{
     CROSSED_MOBILITY, MIN_AREA, NOMINAL_MASS, REFERENCE_AREA, STEP_AREA, STEP_LIMIT, STRAIN_INERTIA,
 };
@@ -131,9 +131,9 @@ impl Masses {
 fn step_masses(shapes: &Shapes) -> Vec<f64> {
     let spare = 0.75;
     let flat = 0.081 * 0.0268 / REFERENCE_AREA;
-    let bounds = shapes.half.iter().zip(&shapes.mass).map(|(half, mass)| {
-        let face = 4.0 * (half.x * half.y).max(half.y * half.z).max(half.z * half.x);
-        mass * flat / (face / REFERENCE_AREA).clamp(MIN_AREA, STEP_AREA) / spare
-    });
+    let bounds =
+        shapes.half.iter().zip(&shapes.mass).map(|(half, mass)| {
+            mass * flat / (largest_face(*half) / REFERENCE_AREA).clamp(MIN_AREA, STEP_AREA) / spare
+        });
     bounds.collect()
 }

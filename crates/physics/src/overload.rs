@@ -7,7 +7,7 @@
 use glam::DVec3;
 use teeter_scene::Scene;
 
-use crate::body::FLOOR;
+use crate::body::{FLOOR, largest_face};
 use crate::build_error::BuildError;
 use crate::cluster::Cluster;
 use crate::collision::manifold::Manifold;
@@ -98,15 +98,11 @@ fn bearing_pair(cluster: &Cluster, manifold: &Manifold) -> Option<(u32, u32)> {
 /// in the air will land.
 fn landings(cluster: &Cluster, gravity: f64) -> impl Iterator<Item = Load> {
     let Cluster { shapes, bodies, .. } = cluster;
-    (0..cluster.len()).filter(|&i| !bodies.fixed[i]).map(move |i| {
-        let edges = 2.0 * shapes.half[i];
-        let face = edges.x * edges.y * edges.z / edges.min_element();
-        Load {
-            body: i as u32,
-            bearer: FLOOR,
-            force: shapes.mass[i] * gravity,
-            stiffness: shapes.spring.stiffness * face / REFERENCE_AREA,
-            thickness: edges.min_element(),
-        }
+    (0..cluster.len()).filter(|&i| !bodies.fixed[i]).map(move |i| Load {
+        body: i as u32,
+        bearer: FLOOR,
+        force: shapes.mass[i] * gravity,
+        stiffness: shapes.spring.stiffness * largest_face(shapes.half[i]) / REFERENCE_AREA,
+        thickness: 2.0 * shapes.half[i].min_element(),
     })
 }

@@ -10,7 +10,7 @@
 
 use glam::DVec3;
 
-use crate::body::FLOOR;
+use crate::body::{FLOOR, middle_edge};
 use crate::body_id::BodyId;
 use crate::cluster::island::islands;
 use crate::collision::manifold::{ContactPoint, Manifold};
@@ -130,10 +130,7 @@ impl World {
     /// more as a whole.
     fn find_restless(&self, initial: &Self, islands: &mut Islands) {
         let moved = |body: BodyId| self.pose(body).position - initial.pose(body).position;
-        let middle = |body: BodyId| {
-            let size = self.size(body);
-            size.element_sum() - size.min_element() - size.max_element()
-        };
+        let middle = |body: BodyId| middle_edge(0.5 * self.size(body));
         for cluster in &initial.clusters.list {
             let body = |i: u32| (i != FLOOR).then(|| BodyId(cluster.ids[i as usize]));
             for manifold in cluster.contacts.manifolds.iter().filter(|m| touches(m)) {

@@ -8,7 +8,7 @@ use teeter_physics::{BuildError, Input, Params, World};
 use teeter_scene::Scene;
 
 use crate::fall::Footing;
-use crate::limit_analysis::{LimitError, RigidTower};
+use crate::limit_analysis::RigidTower;
 use crate::reference_positions::ReferencePositions;
 use crate::settle::SETTLE_TIME;
 
@@ -90,11 +90,7 @@ pub fn without_block(scene: &Scene, block: usize) -> Scene {
 /// ```
 pub fn remove(scene: &Scene, block: usize, params: Params) -> Result<Removal, BuildError> {
     let rest = without_block(scene, block);
-    let exact_fell = match RigidTower::stands(&rest) {
-        Ok(()) => Some(false),
-        Err(LimitError::NoEquilibrium) => Some(true),
-        Err(LimitError::Unsolved | LimitError::Unsuitable { .. }) => None,
-    };
+    let exact_fell = RigidTower::falls(&rest);
     let mut world = World::new(&rest, params)?;
     let settling = world.frames(SETTLE_TIME);
     let start = ReferencePositions::of(&world);

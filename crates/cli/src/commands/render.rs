@@ -19,7 +19,7 @@ use crate::error::Error;
 use crate::input::{self, Subject};
 use crate::warnings::Warnings;
 use crate::{inputs, output};
-use motion::{Motion, Simulated, Still};
+use motion::{Motion, Simulated, Stepped, Still};
 
 /// Default frame rates of films, 1/s. A GIF file counts in hundredths of a second.
 const FPS: f64 = 30.0;
@@ -182,7 +182,7 @@ impl Render {
         if times.end() == 0.0 {
             return Ok(Box::new(Still::new(scene, &timeline)));
         }
-        Ok(Box::new(Simulated::new(scene, self.engine.params(true), timeline)?))
+        Ok(Box::new(Stepped::new(Simulated::new(scene, self.engine.params(true), timeline)?)))
     }
 
     fn print(&self, scene: &Scene, times: &Times, camera: &Camera, warnings: Warnings) -> Result<(), Error> {

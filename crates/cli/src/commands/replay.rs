@@ -64,8 +64,7 @@ impl Replay {
         let refused = |error: RecordError| Error::Record { name: name.clone(), source: error };
         let mut warnings = Warnings::default();
         if record.engine != engine_id() {
-            let (theirs, ours) = (&record.engine, engine_id());
-            warnings.add(&format!("the record is of engine {theirs}, and this is {ours}: its bits may differ"));
+            warnings.add_engine(&record.engine, "its bits may differ");
         }
         if self.verify {
             self.verified(&record, verify(&record).map_err(refused)?, warnings)

@@ -3,7 +3,7 @@
 use glam::{DQuat, DVec2, DVec3};
 use teeter_physics::{BodyId, World};
 use teeter_scene::Scene;
-use teeter_study::{LimitError, RigidTower, par_map, without_block, xray};
+use teeter_study::{RigidTower, par_map, without_block, xray};
 
 use crate::orientation::slide_axis;
 use crate::player::stage::MovePlan;
@@ -60,7 +60,7 @@ impl Candidate {
                 body: *body,
                 toward: outward(world, *body),
                 tightness_n: tightness(*body),
-                falls: falls_without(&scene, body.index()),
+                falls: RigidTower::falls(&without_block(&scene, body.index())),
             }));
             if candidates.iter().filter(|candidate| candidate.falls != Some(true)).count() >= count {
                 break;
@@ -87,14 +87,6 @@ fn levelled(world: &World) -> Scene {
         (block.yaw, block.orientation) = (libm::atan2(along.y, along.x), None);
     }
     scene
-}
-
-fn falls_without(scene: &Scene, index: usize) -> Option<bool> {
-    match RigidTower::stands(&without_block(scene, index)) {
-        Ok(()) => Some(false),
-        Err(LimitError::NoEquilibrium) => Some(true),
-        Err(LimitError::Unsolved | LimitError::Unsuitable { .. }) => None,
-    }
 }
 
 /// Direction along a block, away from the middle of all blocks.

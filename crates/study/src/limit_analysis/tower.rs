@@ -64,6 +64,21 @@ impl<'a> RigidTower<'a> {
         equilibrium(scene).map(|_| ())
     }
 
+    /// Returns true if rigid blocks cannot rest as in `scene`; none where there is no exact answer.
+    ///
+    /// ```
+    /// # use teeter_study::RigidTower;
+    /// let falls = |name| RigidTower::falls(&teeter_scene::named(name).unwrap());
+    /// assert_eq!((falls("column"), falls("test-4"), falls("cards")), (Some(false), Some(true), None));
+    /// ```
+    pub fn falls(scene: &Scene) -> Option<bool> {
+        match Self::stands(scene) {
+            Ok(()) => Some(false),
+            Err(LimitError::NoEquilibrium) => Some(true),
+            Err(LimitError::Unsolved | LimitError::Unsuitable { .. }) => None,
+        }
+    }
+
     /// Scene of the tower.
     pub fn scene(&self) -> &'a Scene {
         self.scene

@@ -43,15 +43,60 @@ impl Motion for Still {
     }
 }
 
+/// Run of a world, a frame at a time.
+pub trait Run {
+    /// World after the frames so far.
+    fn world(&self) -> &World;
+
+    /// Time after the frames so far, s.
+    fn time(&self) -> f64;
+
+    /// Advances by a frame; false after the last.
+    fn advance(&mut self) -> bool;
+
+    /// Returns the warnings of the run, at its end.
+    fn warnings(self) -> Warnings;
+}
+
+/// Motion of a run, linear within its frames.
+pub struct Stepped<R> {
+    run: R,
+    /// Poses before the last frame.
+    before: Vec<StrainedPose>,
+}
+
+impl<R: Run> Stepped<R> {
+    /// Motion of a run that has not begun.
+    pub fn new(run: R) -> Self {
+        Self { before: poses_of(run.world()), run }
+    }
+}
+
+impl<R: Run> Motion for Stepped<R> {
+    fn poses(&mut self, time: f64) -> Vec<StrainedPose> {
+        // The time of a world is a sum of frames.
+        while self.run.time() + 1e-9 < time {
+            self.before = poses_of(self.run.world());
+            if !self.run.advance() {
+                break;
+            }
+        }
+        let after = poses_of(self.run.world());
+        let part = (1.0 - (self.run.time() - time) / self.run.world().params().frame).clamp(0.0, 1.0);
+        self.before.iter().zip(&after).map(|(before, after)| before.lerp(after, part)).collect()
+    }
+
+    fn warnings(self: Box<Self>) -> Warnings {
+        self.run.warnings()
+    }
+}
+
 /// Simulated scene.
 pub struct Simulated<'a> {
     scene: &'a Scene,
     world: World,
     timeline: Timeline,
     warnings: Warnings,
-    /// State before the last step, whose duration is `frame`, s.
-    before: Vec<StrainedPose>,
-    frame: f64,
 }
 
 impl<'a> Simulated<'a> {
@@ -60,33 +105,33 @@ impl<'a> Simulated<'a> {
         let world = World::new(scene, params).map_err(|source| Error::Build { name: scene.name.clone(), source })?;
         let mut warnings = Warnings::default();
         warnings.add_all_of(&world);
-        let frame = world.params().frame;
-        Ok(Self { before: poses_of(&world), scene, world, timeline, warnings, frame })
+        Ok(Self { scene, world, timeline, warnings })
     }
 }
 
-impl Motion for Simulated<'_> {
-    fn poses(&mut self, time: f64) -> Vec<StrainedPose> {
-        // The time of a world is a sum of frames.
-        while self.world.time() + 1e-9 < time {
-            self.before = poses_of(&self.world);
-            let input = self.timeline.input(&self.world);
-            let step = self.world.step(input);
-            self.warnings.add_quarantined(self.scene, &step);
-        }
-        let after = poses_of(&self.world);
-        let part = (1.0 - (self.world.time() - time) / self.frame).clamp(0.0, 1.0);
-        self.before.iter().zip(&after).map(|(before, after)| before.lerp(after, part)).collect()
+impl Run for Simulated<'_> {
+    fn world(&self) -> &World {
+        &self.world
     }
 
-    fn warnings(mut self: Box<Self>) -> Warnings {
+    fn time(&self) -> f64 {
+        self.world.time()
+    }
+
+    fn advance(&mut self) -> bool {
+        let input = self.timeline.input(&self.world);
+        let step = self.world.step(input);
+        self.warnings.add_quarantined(self.scene, &step);
+        true
+    }
+
+    fn warnings(mut self) -> Warnings {
         self.warnings.add_pending(&self.timeline);
         self.warnings
     }
 }
 
-/// Poses of all bodies of a world.
-pub fn poses_of(world: &World) -> Vec<StrainedPose> {
+fn poses_of(world: &World) -> Vec<StrainedPose> {
     world.bodies().map(|body| StrainedPose::of(world, body)).collect()
 }
 
@@ -102,7 +147,8 @@ mod tests {
         let mut scene = named("block").unwrap();
         scene.blocks[0].pos[2] = 1.0;
         let heights = |times: &[f64]| -> Vec<f64> {
-            let mut motion = Simulated::new(&scene, Params::default(), Timeline::default()).unwrap();
+            let run = Simulated::new(&scene, Params::default(), Timeline::default()).unwrap();
+            let mut motion = Stepped::new(run);
             times.iter().map(|&time| motion.poses(time)[0].pose.position.z).collect()
         };
         let frame = Params::default().frame;

@@ -1,10 +1,10 @@
 //! Poses of a recorded game: played again by this engine, or those that the record keeps.
 
 use teeter_game::{Record, RecordError, Replay, engine_id};
-use teeter_physics::Pose;
+use teeter_physics::{Pose, World};
 use teeter_render::StrainedPose;
 
-use super::motion::{Motion, poses_of};
+use super::motion::{Motion, Run, Stepped};
 use crate::warnings::Warnings;
 
 /// Returns the motion of a record. Where another engine made it, its bits may differ, and the
@@ -13,45 +13,31 @@ use crate::warnings::Warnings;
 /// # Errors
 /// When no game begins as the record says.
 pub fn motion(record: &Record) -> Result<Box<dyn Motion + '_>, RecordError> {
-    if record.engine == engine_id() { Ok(Box::new(Played::new(record)?)) } else { Ok(Box::new(Kept::new(record))) }
+    if record.engine != engine_id() {
+        return Ok(Box::new(Kept::new(record)));
+    }
+    Ok(Box::new(Stepped::new(Played(Replay::new(record)?))))
 }
 
-/// Game that is played again.
-struct Played<'a> {
-    replay: Replay<'a>,
-    /// State before the last step, whose duration is `frame`, s.
-    before: Vec<StrainedPose>,
-    frame: f64,
-}
+/// Game that is played again. Its time does not begin again with a tower that is rebuilt.
+struct Played<'a>(Replay<'a>);
 
-impl<'a> Played<'a> {
-    fn new(record: &'a Record) -> Result<Self, RecordError> {
-        let replay = Replay::new(record)?;
-        Ok(Self { before: poses_of(replay.game().world()), frame: record.params.frame, replay })
+impl Run for Played<'_> {
+    fn world(&self) -> &World {
+        self.0.game().world()
     }
 
-    /// Time of the game, s.
     fn time(&self) -> f64 {
-        f64::from(self.replay.frame()) * self.frame
-    }
-}
-
-impl Motion for Played<'_> {
-    fn poses(&mut self, time: f64) -> Vec<StrainedPose> {
-        while self.time() + 1e-9 < time {
-            self.before = poses_of(self.replay.game().world());
-            if self.replay.step().is_none() {
-                break;
-            }
-        }
-        let after = poses_of(self.replay.game().world());
-        let part = (1.0 - (self.time() - time) / self.frame).clamp(0.0, 1.0);
-        self.before.iter().zip(&after).map(|(before, after)| before.lerp(after, part)).collect()
+        f64::from(self.0.frame()) * self.world().params().frame
     }
 
-    fn warnings(self: Box<Self>) -> Warnings {
+    fn advance(&mut self) -> bool {
+        self.0.step().is_some()
+    }
+
+    fn warnings(self) -> Warnings {
         let mut warnings = Warnings::default();
-        if !self.replay.is_same() {
+        if !self.0.is_same() {
             warnings.add("the game diverges from its record, see `teeter replay --verify`");
         }
         warnings
@@ -92,10 +78,7 @@ impl Motion for Kept {
 
     fn warnings(self: Box<Self>) -> Warnings {
         let mut warnings = Warnings::default();
-        let (theirs, ours) = (&self.engine, engine_id());
-        warnings.add(&format!(
-            "the record is of engine {theirs}, and this is {ours}: drawn between the poses of each second"
-        ));
+        warnings.add_engine(&self.engine, "drawn between the poses of each second");
         warnings
     }
 }

@@ -18,6 +18,7 @@ pub struct Recorder {
     /// Height of the top without load, m: the sum of the tallest blocks of a tower.
     top: f64,
     start: ReferencePositions,
+    blocks: Blocks,
     falls: FallDetector,
     /// Blocks whose state ran away.
     lost: Vec<BodyId>,
@@ -37,6 +38,7 @@ impl Recorder {
         Self {
             top: scene_height(scene),
             start: ReferencePositions::of(world),
+            blocks: Blocks::of(world),
             falls: FallDetector::with_footing(Footing::of_scene(scene)),
             lost: Vec::new(),
             settled: None,
@@ -52,7 +54,8 @@ impl Recorder {
     /// Records a step of the world with a body in the hand.
     pub fn record(&mut self, world: &World, step: &StepReport, held: Option<BodyId>) {
         self.lost.extend(&step.quarantined);
-        self.falls.observe(&Blocks::of(world), FrameEnd { time: step.time, max_speed: step.rms_speed, held });
+        self.blocks.refresh(world);
+        self.falls.observe(&self.blocks, FrameEnd { time: step.time, max_speed: step.rms_speed, held });
         self.displacement = self.displacement.max(self.start.max_displacement(world));
         self.penetration = self.penetration.max(step.penetration);
         self.rms_speed = step.rms_speed;
