@@ -80,25 +80,11 @@ impl Survey {
     /// # Errors
     /// When no world can be built of an estimate.
     pub fn run(&self, world: &World, plans: &[MovePlan], tried: impl Fn() + Sync) -> Result<Vec<Tally>, BuildError> {
-        let mut tallies = vec![Tally::default(); plans.len()];
-        let mut spent = 0.0;
-        for round in 0..MAX_ROUNDS {
-            let seeded: Vec<(MovePlan, u64)> = plans.iter().map(|plan| (*plan, self.seed_of(plan, round))).collect();
-            let rollouts = par_map(&seeded, |(plan, seed)| {
-                let rollout = roll_out(world, &self.rules, *plan, &self.errors, *seed);
-                tried();
-                rollout
-            });
-            for (tally, rollout) in tallies.iter_mut().zip(rollouts) {
-                let rollout = rollout?;
-                tally.add(&rollout);
-                spent += rollout.seconds;
-            }
-            if spent >= self.budget || plans.is_empty() {
-                break;
-            }
+        let mut run = SurveyRun::new(*self, world.clone(), plans.to_vec());
+        while !run.is_done() {
+            run.finish_round(&tried)?;
         }
-        Ok(tallies)
+        Ok(run.tallies)
     }
 
     /// Seed of a rollout. It is of the block and the round, so a move is tried alike whatever else
@@ -106,5 +92,111 @@ impl Survey {
     fn seed_of(&self, plan: &MovePlan, round: u32) -> u64 {
         let block = Random::new(self.seed.wrapping_add(u64::from(plan.body.0))).bits();
         Random::new(block.wrapping_add(u64::from(round))).bits()
+    }
+}
+
+/// A survey in progress, for a caller that has other work between two rollouts.
+///
+/// ```
+/// use teeter_game::{Candidate, Rules, Survey, SurveyRun, TrialErrors};
+/// use teeter_physics::{BodyId, Params};
+///
+/// let world = teeter_study::settled(&teeter_scene::named("column").unwrap(), Params::default())?;
+/// let plans = vec![Candidate::ranked(&world, &[BodyId(9)])[0].plan()];
+/// let survey = Survey { rules: Rules::default(), errors: TrialErrors::default(), budget: 0.0, seed: 1 };
+/// let mut run = SurveyRun::new(survey, world, plans);
+/// while !run.is_done() {
+///     run.step()?;
+/// }
+/// assert_eq!((run.progress(), run.tallies()[0].falls.tries), (1.0, 1));
+/// # Ok::<(), teeter_physics::BuildError>(())
+/// ```
+#[derive(Debug, Clone)]
+pub struct SurveyRun {
+    survey: Survey,
+    world: World,
+    plans: Vec<MovePlan>,
+    tallies: Vec<Tally>,
+    round: u32,
+    /// Index of the plan that is tried next in the round.
+    next: usize,
+    /// Simulated time so far, s.
+    spent: f64,
+}
+
+impl SurveyRun {
+    /// Begins a survey of moves on a world.
+    pub fn new(survey: Survey, world: World, plans: Vec<MovePlan>) -> Self {
+        let tallies = vec![Tally::default(); plans.len()];
+        Self { survey, world, plans, tallies, round: 0, next: 0, spent: 0.0 }
+    }
+
+    /// Returns true if a round has ended and the budget is spent.
+    pub fn is_done(&self) -> bool {
+        let is_spent = self.round > 0 && (self.spent >= self.survey.budget || self.round >= MAX_ROUNDS);
+        self.plans.is_empty() || (self.next == 0 && is_spent)
+    }
+
+    /// Part of the budget that is spent, 0 to 1; in the first round at most the part of the plans
+    /// that are tried.
+    pub fn progress(&self) -> f64 {
+        if self.is_done() {
+            return 1.0;
+        }
+        let of_budget = if self.survey.budget > 0.0 { self.spent / self.survey.budget } else { 1.0 };
+        let of_round = if self.round == 0 { self.next as f64 / self.plans.len() as f64 } else { 1.0 };
+        of_budget.min(of_round).min(1.0)
+    }
+
+    /// Results so far, one of each plan.
+    pub fn tallies(&self) -> &[Tally] {
+        &self.tallies
+    }
+
+    /// The world on whose copies the moves are tried.
+    pub fn world(&self) -> &World {
+        &self.world
+    }
+
+    /// Makes the next rollout, where the survey is not done.
+    ///
+    /// # Errors
+    /// When no world can be built of an estimate.
+    pub fn step(&mut self) -> Result<(), BuildError> {
+        if self.is_done() {
+            return Ok(());
+        }
+        let rollout = self.roll_out(self.next)?;
+        self.add(&rollout);
+        Ok(())
+    }
+
+    /// Makes the other rollouts of the round side by side, and calls `tried` after each.
+    ///
+    /// # Errors
+    /// When no world can be built of an estimate.
+    pub fn finish_round(&mut self, tried: impl Fn() + Sync) -> Result<(), BuildError> {
+        let indices: Vec<usize> = (self.next..self.plans.len()).collect();
+        let rollouts = par_map(&indices, |index| {
+            let rollout = self.roll_out(*index);
+            tried();
+            rollout
+        });
+        rollouts.into_iter().try_for_each(|rollout| rollout.map(|rollout| self.add(&rollout)))
+    }
+
+    fn roll_out(&self, index: usize) -> Result<Rollout, BuildError> {
+        let (plan, Survey { rules, errors, .. }) = (self.plans[index], self.survey);
+        roll_out(&self.world, &rules, plan, &errors, self.survey.seed_of(&plan, self.round))
+    }
+
+    /// Takes in the rollout of the next plan.
+    fn add(&mut self, rollout: &Rollout) {
+        self.tallies[self.next].add(rollout);
+        self.spent += rollout.seconds;
+        self.next += 1;
+        if self.next == self.plans.len() {
+            (self.round, self.next) = (self.round + 1, 0);
+        }
     }
 }

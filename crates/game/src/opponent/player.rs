@@ -6,7 +6,7 @@ use teeter_scene::Random;
 use crate::command::Command;
 use crate::game::Game;
 use crate::opponent::strength::{Strength, Thinking};
-use crate::opponent::thought::{Considered, choose};
+use crate::opponent::thought::{Considered, Question, choose};
 use crate::orientation::slide_axis;
 use crate::player::noise::HandNoise;
 use crate::player::stage::{MoveEnd, MovePlan};
@@ -47,6 +47,10 @@ pub struct Opponent {
     turn: u32,
     failures: Vec<BodyId>,
     hand: Option<(BodyId, PlayerHand)>,
+    /// Question that is not yet answered.
+    question: Option<Question>,
+    /// Answer that was not yet carried out; a plan where there is a move.
+    answer: Option<Option<MovePlan>>,
     considered: Vec<Considered>,
 }
 
@@ -58,44 +62,97 @@ impl Opponent {
 
     /// An opponent with a manner of thinking of its own.
     pub fn with_thinking(player: u32, thinking: Thinking, seed: u64) -> Self {
-        let (failures, considered) = (Vec::new(), Vec::new());
-        Self { player, thinking, random: Random::new(seed), turn: 0, failures, hand: None, considered }
+        Self {
+            player,
+            thinking,
+            random: Random::new(seed),
+            turn: 0,
+            failures: Vec::new(),
+            hand: None,
+            question: None,
+            answer: None,
+            considered: Vec::new(),
+        }
     }
 
-    /// Moves that it considered last, the chosen one first.
+    /// Moves that it considered last, the chosen one first; of an answer from outside none.
     pub fn considered(&self) -> &[Considered] {
         &self.considered
     }
 
     /// Command for the next frame; none to carry out out of its turn. The frame in which it chooses
-    /// a move takes as long as its rollouts.
+    /// a move takes as long as its rollouts, unless its question was answered before.
     pub fn next(&mut self, game: &Game) -> Command {
-        let Some(turn) = game.turn().filter(|turn| turn.player == self.player) else { return Command::Idle };
-        if turn.number != self.turn {
-            (self.turn, self.hand) = (turn.number, None);
-            self.failures.clear();
+        let Some(turn) = self.advance(game) else { return Command::Idle };
+        if let Some((_, hand)) = &mut self.hand {
+            return hand.next(game).unwrap_or_default();
         }
-        if let Some((body, hand)) = &mut self.hand {
-            if let Some(command) = hand.next(game) {
-                return command;
+        match self.intent(game, &turn) {
+            Intent::Wait => Command::Idle,
+            Intent::Resign => Command::Resign,
+            Intent::Move(plan) => self.begin(game, Some(plan)),
+            Intent::Choose => {
+                let plan = self.chosen(game, &turn);
+                self.begin(game, plan)
             }
-            if hand.end() != Some(MoveEnd::Placed) {
-                self.failures.push(*body);
-            }
-            self.hand = None;
-        }
-        let is_quiet = game.rest.at_rest() || turn.elapsed_s > PATIENCE;
-        match turn.phase {
-            Phase::Settling | Phase::Over => Command::Idle,
-            _ if self.failures.len() >= MAX_FAILURES => Command::Resign,
-            Phase::Choosing if !is_quiet => Command::Idle,
-            _ => self.begin(game, &turn),
         }
     }
 
-    /// Begins a move, and returns its first command.
-    fn begin(&mut self, game: &Game, turn: &TurnState) -> Command {
-        let Some(plan) = self.plan(game, turn) else { return Command::Resign };
+    /// Question that it has to answer before its next command; none where it has nothing to choose.
+    /// A caller with other work may answer it elsewhere, with a [`Thought`] on a copy of the world,
+    /// and hand over the answer by [`Opponent::answer`]; the game can go on meanwhile with
+    /// [`Command::Idle`]. It is the same question until it is answered or the turn ends.
+    pub fn question(&mut self, game: &Game) -> Option<&Question> {
+        let turn = self.advance(game)?;
+        let has_to_choose = self.hand.is_none() && self.answer.is_none();
+        if !has_to_choose || !matches!(self.intent(game, &turn), Intent::Choose) {
+            return None;
+        }
+        Some(self.ask(game, &turn))
+    }
+
+    /// Takes in the answer to its question: the move that it begins in its next command, or none
+    /// where there is no move, and it gives up. It is ignored where there is no question.
+    pub fn answer(&mut self, plan: Option<MovePlan>) {
+        if self.question.take().is_some() {
+            self.answer = Some(plan);
+            self.considered.clear();
+        }
+    }
+
+    /// Takes in a turn that began and a move that ended. Returns the turn where it is its own.
+    fn advance(&mut self, game: &Game) -> Option<TurnState> {
+        let turn = game.turn().filter(|turn| turn.player == self.player)?;
+        if turn.number != self.turn {
+            (self.turn, self.hand, self.question, self.answer) = (turn.number, None, None, None);
+            self.failures.clear();
+        }
+        let ended = self.hand.take_if(|(_, hand)| hand.end().is_some());
+        if let Some((body, _)) = ended.filter(|(_, hand)| hand.end() != Some(MoveEnd::Placed)) {
+            self.failures.push(body);
+        }
+        Some(turn)
+    }
+
+    fn intent(&self, game: &Game, turn: &TurnState) -> Intent {
+        let is_quiet = game.rest.at_rest() || turn.elapsed_s > PATIENCE;
+        match turn.phase {
+            Phase::Settling | Phase::Over => Intent::Wait,
+            _ if self.failures.len() >= MAX_FAILURES => Intent::Resign,
+            Phase::Choosing if !is_quiet => Intent::Wait,
+            Phase::Choosing => Intent::Choose,
+            Phase::Removing | Phase::Placing => turn.block.map_or(Intent::Choose, |body| {
+                // The block that was moved already: by its other end where it did not come out.
+                let along = slide_axis(game.blocks().orientation(body));
+                let toward = if self.failures.len().is_multiple_of(2) { along } else { -along };
+                Intent::Move(MovePlan::pull(body, toward))
+            }),
+        }
+    }
+
+    /// Begins a move, and returns its first command; it gives up where there is none.
+    fn begin(&mut self, game: &Game, plan: Option<MovePlan>) -> Command {
+        let Some(plan) = plan else { return Command::Resign };
         let seed = self.random.bits();
         let mut hand = PlayerHand::new(game, plan, HandNoise::default(), seed);
         let command = hand.next(game).unwrap_or_default();
@@ -103,16 +160,31 @@ impl Opponent {
         command
     }
 
-    fn plan(&mut self, game: &Game, turn: &TurnState) -> Option<MovePlan> {
-        if let Some(body) = turn.block.filter(|_| turn.phase != Phase::Choosing) {
-            // The block that was moved already: by its other end where it did not come out.
-            let along = slide_axis(game.blocks().orientation(body));
-            let toward = if self.failures.len().is_multiple_of(2) { along } else { -along };
-            return Some(MovePlan::pull(body, toward));
+    fn chosen(&mut self, game: &Game, turn: &TurnState) -> Option<MovePlan> {
+        if let Some(plan) = self.answer.take() {
+            return plan;
         }
-        let seed = self.random.bits();
-        let fresh: Vec<BodyId> = turn.removable.iter().copied().filter(|body| !self.failures.contains(body)).collect();
-        self.considered = choose(game.world(), &game.rules(), &fresh, &self.thinking, seed).unwrap_or_default();
+        self.ask(game, turn);
+        let Question { rules, bodies, thinking, seed } = self.question.take()?;
+        self.considered = choose(game.world(), &rules, &bodies, &thinking, seed).unwrap_or_default();
         self.considered.first().map(|considered| considered.candidate.plan())
     }
+
+    fn ask(&mut self, game: &Game, turn: &TurnState) -> &Question {
+        let Self { question, random, failures, thinking, .. } = self;
+        question.get_or_insert_with(|| Question {
+            rules: game.rules(),
+            bodies: turn.removable.iter().copied().filter(|body| !failures.contains(body)).collect(),
+            thinking: *thinking,
+            seed: random.bits(),
+        })
+    }
+}
+
+/// What an opponent is about to do in its turn.
+enum Intent {
+    Wait,
+    Resign,
+    Move(MovePlan),
+    Choose,
 }

@@ -1,11 +1,12 @@
 //! Choice of a move.
 
+use serde::{Deserialize, Serialize};
 use teeter_physics::{BodyId, BuildError, World};
 use teeter_scene::Random;
 
 use crate::analysis::candidate::Candidate;
 use crate::analysis::rollout::TrialErrors;
-use crate::analysis::survey::{Survey, Tally};
+use crate::analysis::survey::{Survey, SurveyRun, Tally};
 use crate::opponent::strength::Thinking;
 use crate::player::noise::HandNoise;
 use crate::rules::table::Rules;
@@ -48,26 +49,99 @@ pub fn choose(
     thinking: &Thinking,
     seed: u64,
 ) -> Result<Vec<Considered>, BuildError> {
-    let count = (thinking.candidates as usize).max(1);
-    let candidates = if thinking.is_ranked {
-        Candidate::best(world, bodies, count)
-    } else {
-        Candidate::ranked(world, &drawn(bodies, count, seed))
-    };
-    let tallies = if thinking.budget > 0.0 {
+    let question = Question { rules: *rules, bodies: bodies.to_vec(), thinking: *thinking, seed };
+    let mut thought = Thought::new(world.clone(), &question);
+    while !thought.is_done() {
+        thought.run.finish_round(|| ())?;
+    }
+    Ok(thought.considered())
+}
+
+/// Question of an opponent: which block to take.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Question {
+    /// Rules of the game.
+    pub rules: Rules,
+    /// Blocks that may be taken.
+    pub bodies: Vec<BodyId>,
+    /// Manner of thinking.
+    pub thinking: Thinking,
+    /// Seed of the errors.
+    pub seed: u64,
+}
+
+/// Thought about a question, a rollout at a time: [`choose`] for a caller that has other work in
+/// between.
+///
+/// ```
+/// use teeter_game::{Question, Rules, Strength, Thought};
+/// use teeter_physics::{BodyId, Params};
+///
+/// let world = teeter_study::settled(&teeter_scene::named("column").unwrap(), Params::default())?;
+/// let thinking = Strength::Random.thinking();
+/// let question = Question { rules: Rules::default(), bodies: vec![BodyId(9)], thinking, seed: 1 };
+/// let mut thought = Thought::new(world, &question);
+/// while !thought.is_done() {
+///     thought.step()?;
+/// }
+/// assert_eq!(thought.considered()[0].candidate.body, BodyId(9));
+/// # Ok::<(), teeter_physics::BuildError>(())
+/// ```
+#[derive(Debug, Clone)]
+pub struct Thought {
+    thinking: Thinking,
+    candidates: Vec<Candidate>,
+    run: SurveyRun,
+}
+
+impl Thought {
+    /// Begins to think: ranks the blocks that are tried. A body that the world has not is left out.
+    pub fn new(world: World, question: &Question) -> Self {
+        let Question { rules, bodies, thinking, seed } = question;
+        let count = (thinking.candidates as usize).max(1);
+        let bodies: Vec<BodyId> = bodies.iter().copied().filter(|body| body.index() < world.len()).collect();
+        let candidates = if thinking.is_ranked {
+            Candidate::best(&world, &bodies, count)
+        } else {
+            Candidate::ranked(&world, &drawn(&bodies, count, *seed))
+        };
         let errors = TrialErrors { estimate: thinking.errors, hand: HandNoise::default() };
-        let survey = Survey { rules: *rules, errors, budget: thinking.budget, seed };
-        let plans: Vec<_> = candidates.iter().map(Candidate::plan).collect();
-        survey.run(world, &plans, || ())?
-    } else {
-        vec![Tally::default(); candidates.len()]
-    };
-    let considered = candidates.into_iter().zip(tallies);
-    let mut considered: Vec<Considered> =
-        considered.map(|(candidate, tally)| Considered { candidate, tally, cost: cost(thinking, &tally) }).collect();
-    // Of equal ones the looser first: the sort is stable.
-    considered.sort_by(|a, b| a.cost.total_cmp(&b.cost));
-    Ok(considered)
+        let survey = Survey { rules: *rules, errors, budget: thinking.budget, seed: *seed };
+        let plans = if thinking.budget > 0.0 { candidates.iter().map(Candidate::plan).collect() } else { Vec::new() };
+        Self { thinking: *thinking, candidates, run: SurveyRun::new(survey, world, plans) }
+    }
+
+    /// Returns true if the budget is spent.
+    pub fn is_done(&self) -> bool {
+        self.run.is_done()
+    }
+
+    /// Part of the budget that is spent, 0 to 1.
+    pub fn progress(&self) -> f64 {
+        self.run.progress()
+    }
+
+    /// Makes the next rollout, where the budget is not spent.
+    ///
+    /// # Errors
+    /// When no world can be built of an estimate.
+    pub fn step(&mut self) -> Result<(), BuildError> {
+        self.run.step()
+    }
+
+    /// Moves by their rollouts so far, the one to choose first.
+    pub fn considered(&self) -> Vec<Considered> {
+        let tally = |index: usize| self.run.tallies().get(index).copied().unwrap_or_default();
+        let considered = self.candidates.iter().enumerate().map(|(index, candidate)| {
+            let tally = tally(index);
+            Considered { candidate: *candidate, tally, cost: cost(&self.thinking, &tally) }
+        });
+        let mut considered: Vec<Considered> = considered.collect();
+        // Of equal ones the looser first: the sort is stable.
+        considered.sort_by(|a, b| a.cost.total_cmp(&b.cost));
+        considered
+    }
 }
 
 fn cost(thinking: &Thinking, tally: &Tally) -> f64 {

@@ -113,6 +113,16 @@ impl Record {
         sample_interval(&self.params)
     }
 
+    /// Identity of the engine of a record, from its bytes: all that is read of one that another
+    /// engine wrote, whatever its scene is.
+    ///
+    /// # Errors
+    /// As [`Record::decode`], except for the content after the identity.
+    pub fn engine_of(bytes: &[u8]) -> Result<String, RecordError> {
+        let content = inflate(bytes)?;
+        read_engine(&mut Reader::new(&content, "its content"))
+    }
+
     /// The record as bytes.
     ///
     /// # Panics
@@ -145,10 +155,9 @@ impl Record {
     /// Names the fault of bytes that are none: foreign, of another version, truncated, altered, or
     /// with a content that no record can have.
     pub fn decode(bytes: &[u8]) -> Result<Self, RecordError> {
-        let content = decompress_to_vec_with_limit(open(bytes)?, MAX_CONTENT);
-        let content = content.map_err(|_| RecordError::Damaged("its compression"))?;
+        let content = inflate(bytes)?;
         let mut reader = Reader::new(&content, "its content");
-        let engine = reader.bytes().and_then(|name| read_engine(name).ok_or(RecordError::Damaged("its engine")))?;
+        let engine = read_engine(&mut reader)?;
         let scene = scene_code::read(&mut reader)?;
         let params: Params = read_plain(&mut reader, "its parameters")?;
         let rules: Rules = read_plain(&mut reader, "its rules")?;
@@ -204,10 +213,16 @@ fn open(bytes: &[u8]) -> Result<&[u8], RecordError> {
     if u64::from_le_bytes(*sum) == checksum(content) { Ok(content) } else { Err(RecordError::Altered) }
 }
 
-fn read_engine(name: &[u8]) -> Option<String> {
-    let name = std::str::from_utf8(name).ok()?;
-    let is_printable = name.len() <= MAX_ENGINE && name.chars().all(|c| c.is_ascii_graphic());
-    is_printable.then(|| name.to_owned())
+/// Returns the content of a file.
+fn inflate(bytes: &[u8]) -> Result<Vec<u8>, RecordError> {
+    decompress_to_vec_with_limit(open(bytes)?, MAX_CONTENT).map_err(|_| RecordError::Damaged("its compression"))
+}
+
+/// Reads the identity of the engine. It comes first in every version of the layout.
+fn read_engine(reader: &mut Reader) -> Result<String, RecordError> {
+    let name = std::str::from_utf8(reader.bytes()?).ok();
+    let is_printable = |name: &&str| name.len() <= MAX_ENGINE && name.chars().all(|c| c.is_ascii_graphic());
+    name.filter(is_printable).map(str::to_owned).ok_or(RecordError::Damaged("its engine"))
 }
 
 /// Reads plain numbers that were written by postcard.

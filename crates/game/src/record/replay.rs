@@ -1,5 +1,7 @@
 //! Replay of a record, and the test that it is the same.
 
+use std::borrow::Cow;
+
 use teeter_physics::{BodyId, POSE_STRIDE, StepReport};
 
 use crate::game::Game;
@@ -30,11 +32,13 @@ const ELSEWHERE: f64 = 2e-4;
 /// ```
 #[derive(Debug, Clone)]
 pub struct Replay<'a> {
-    record: &'a Record,
+    record: Cow<'a, Record>,
     cursor: Cursor,
     game: Game,
     frame: u32,
-    is_same: bool,
+    /// Poses of the record at the last sample.
+    recorded: Vec<RoundedPose>,
+    divergence: Option<Divergence>,
 }
 
 impl<'a> Replay<'a> {
@@ -43,7 +47,7 @@ impl<'a> Replay<'a> {
     /// # Errors
     /// When no game begins like this.
     pub fn new(record: &'a Record) -> Result<Self, RecordError> {
-        Ok(Self { record, cursor: Cursor::default(), game: begin(record)?, frame: 0, is_same: true })
+        Self::of(Cow::Borrowed(record))
     }
 
     /// A replay from the last stored state that is not after `frame`; from the start where there is
@@ -53,12 +57,28 @@ impl<'a> Replay<'a> {
     /// When no game begins like this, or the state is not one of it.
     pub fn near(record: &'a Record, frame: u32) -> Result<Self, RecordError> {
         let mut replay = Self::new(record)?;
-        if let Some(state) = record.states.iter().rfind(|state| state.frame <= frame) {
-            replay.game.restore(&state.bytes).map_err(|_| RecordError::Damaged("its states"))?;
-            replay.frame = state.frame;
-            replay.cursor = record.tape.cursor(state.frame);
-        }
+        replay.go_near(frame)?;
         Ok(replay)
+    }
+
+    fn of(record: Cow<'a, Record>) -> Result<Self, RecordError> {
+        let (game, recorded) = (begin(&record)?, of_scene(&record.scene));
+        Ok(Self { record, cursor: Cursor::default(), game, frame: 0, recorded, divergence: None })
+    }
+
+    /// Goes to the last stored state that is not after `frame`, where there is one.
+    ///
+    /// # Errors
+    /// When the state is not one of this game; nothing has changed then.
+    fn go_near(&mut self, frame: u32) -> Result<(), RecordError> {
+        let Some(state) = self.record.states.iter().rfind(|state| state.frame <= frame) else { return Ok(()) };
+        let (frame, bytes) = (state.frame, state.bytes.clone());
+        self.resume(&ReplayState { frame, bytes, divergence: None })
+    }
+
+    /// The record.
+    pub fn record(&self) -> &Record {
+        &self.record
     }
 
     /// The game.
@@ -78,19 +98,55 @@ impl<'a> Replay<'a> {
 
     /// True while every frame was that of the record.
     pub fn is_same(&self) -> bool {
-        self.is_same
+        self.divergence.is_none()
+    }
+
+    /// First frame that was not that of the record, and the block that is elsewhere; none while
+    /// every frame was.
+    pub fn divergence(&self) -> Option<Divergence> {
+        self.divergence
     }
 
     /// Plays the next frame; none after the last.
     pub fn step(&mut self) -> Option<Update<StepReport>> {
         let command = self.record.tape.next(&mut self.cursor)?;
         let update = self.game.step(&command);
-        self.is_same &= self.record.checks.get(self.frame as usize) == Some(&frame_check(&self.game));
+        let mut is_same = self.record.checks.get(self.frame as usize) == Some(&frame_check(&self.game));
         self.frame += 1;
-        if let Some(index) = self.sample_index() {
-            self.is_same &= self.record.samples.get(index).map(|sample| sample.hash) == Some(self.game.state_hash());
+        let time_s = f64::from(self.frame) * self.record.params.frame;
+        if let Some(sample) = self.sample_index().and_then(|index| self.record.samples.get(index)) {
+            is_same &= sample.hash == self.game.state_hash();
+            sample.changes.iter().for_each(|change| self.recorded[change.body.index()] = change.pose);
+            if let Some(divergence) = self.divergence.as_mut().filter(|divergence| divergence.block.is_none()) {
+                divergence.block = displaced(&self.game, &self.recorded, time_s);
+            }
+        }
+        if !is_same && self.divergence.is_none() {
+            let is_sampled = self.sample_index().is_some();
+            let block = if is_sampled { displaced(&self.game, &self.recorded, time_s) } else { None };
+            self.divergence = Some(Divergence { frame: self.frame, time_s, block });
         }
         Some(update)
+    }
+
+    /// State of the replay, to resume from.
+    pub fn save(&self) -> ReplayState {
+        ReplayState { frame: self.frame, bytes: self.game.snapshot(), divergence: self.divergence }
+    }
+
+    /// Goes back or forth to a state of this replay.
+    ///
+    /// # Errors
+    /// When the state is not one of this game; nothing has changed then.
+    pub fn resume(&mut self, state: &ReplayState) -> Result<(), RecordError> {
+        self.game.restore(&state.bytes).map_err(|_| RecordError::Damaged("its states"))?;
+        (self.frame, self.divergence) = (state.frame, state.divergence);
+        self.cursor = self.record.tape.cursor(state.frame);
+        self.recorded = of_scene(&self.record.scene);
+        let passed = (state.frame / self.record.interval()) as usize;
+        let changes = self.record.samples.iter().take(passed).flat_map(|sample| &sample.changes);
+        changes.for_each(|change| self.recorded[change.body.index()] = change.pose);
+        Ok(())
     }
 
     /// Sample at the end of this frame.
@@ -98,6 +154,51 @@ impl<'a> Replay<'a> {
         let interval = self.record.interval();
         let is_sampled = self.frame.is_multiple_of(interval) || self.frame == self.record.frames();
         is_sampled.then(|| self.frame.div_ceil(interval) as usize - 1)
+    }
+}
+
+impl Replay<'static> {
+    /// A replay that owns its record, from the start.
+    ///
+    /// # Errors
+    /// When no game begins like this.
+    pub fn owning(record: Record) -> Result<Self, RecordError> {
+        Self::of(Cow::Owned(record))
+    }
+}
+
+/// State of a replay after some frames.
+///
+/// ```
+/// use teeter_game::{Command, Recorder, Replay, Rules};
+/// use teeter_physics::Params;
+///
+/// let scene = teeter_scene::named("column").unwrap();
+/// let mut recorder = Recorder::new(&scene, Params::default(), Rules::default())?;
+/// recorder.step(&Command::Idle)?;
+/// let mut replay = Replay::owning(recorder.finish())?;
+/// let start = replay.save();
+/// replay.step();
+/// replay.resume(&start)?;
+/// assert_eq!((replay.frame(), start.frame()), (0, 0));
+/// # Ok::<(), teeter_game::RecordError>(())
+/// ```
+#[derive(Debug, Clone, PartialEq)]
+pub struct ReplayState {
+    frame: u32,
+    bytes: Vec<u8>,
+    divergence: Option<Divergence>,
+}
+
+impl ReplayState {
+    /// Number of frames.
+    pub fn frame(&self) -> u32 {
+        self.frame
+    }
+
+    /// Memory that it takes, bytes.
+    pub fn size(&self) -> usize {
+        self.bytes.len()
     }
 }
 
@@ -174,23 +275,12 @@ pub struct Verification {
 /// When no game begins like this.
 pub fn verify(record: &Record) -> Result<Verification, RecordError> {
     let mut replay = Replay::new(record)?;
-    let mut recorded = of_scene(&record.scene);
-    let mut divergence: Option<Divergence> = None;
     while replay.step().is_some() {
-        let time_s = f64::from(replay.frame) * record.params.frame;
-        if !replay.is_same && divergence.is_none() {
-            divergence = Some(Divergence { frame: replay.frame, time_s, block: None });
-        }
-        let Some(sample) = replay.sample_index().and_then(|index| record.samples.get(index)) else { continue };
-        sample.changes.iter().for_each(|change| recorded[change.body.index()] = change.pose);
-        if let Some(divergence) = &mut divergence {
-            divergence.block = displaced(&replay.game, &recorded, time_s);
-            if divergence.block.is_some() {
-                break;
-            }
+        if replay.divergence.is_some_and(|divergence| divergence.block.is_some()) {
+            break;
         }
     }
-    Ok(Verification { same: divergence.is_none(), hash: replay.game.hash(), divergence })
+    Ok(Verification { same: replay.is_same(), hash: replay.game.hash(), divergence: replay.divergence })
 }
 
 /// The block that is farthest from where the record has it, where that is visible.
