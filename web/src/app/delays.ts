@@ -1,10 +1,18 @@
 // Delays of the engine: says when it takes long, until it answers.
 
+import { text } from '../messages';
 import type { Notice } from '../ui/notice';
-import { DELAYS, Patience, type Awaited } from './patience';
+import { Patience, type Awaited } from './patience';
 
 /** Time between two checks, ms. */
 const INTERVAL = 250;
+
+/** Lines for the player. */
+const DELAYS: Record<Awaited, string> = {
+  engine: text.notices.slowEngine,
+  world: text.notices.slowWorld,
+  step: text.notices.slowStep,
+};
 
 export class Delays {
   private readonly patience = new Patience();

@@ -1,13 +1,14 @@
 // Loss of the graphics: the browser may take the WebGL context away, as when a driver restarts, and
 // give it back later. The physics goes on meanwhile.
 
+import { text } from '../messages';
 import { showTrouble, type Notice } from '../ui/notice';
 import type { Stage } from './stage';
 
 /** Time after which a lost context is not expected back, s. */
 const PATIENCE = 15;
 
-const LOST = 'The graphics were interrupted. The tower comes back in a moment.';
+const LOST = text.notices.graphicsLost;
 
 /** Says when the graphics are lost, and draws again when they are back. */
 export function followGraphics(stage: Stage, notice: Notice): void {
@@ -15,8 +16,7 @@ export function followGraphics(stage: Stage, notice: Notice): void {
   // three.js listens as well, and builds its resources again; its listeners come first.
   stage.canvas.addEventListener('webglcontextlost', () => {
     notice.hold(LOST);
-    const trouble = () => showTrouble('The browser does not give the graphics back. Load the page again to go on.');
-    timer = window.setTimeout(trouble, PATIENCE * 1000);
+    timer = window.setTimeout(() => showTrouble(text.trouble.graphicsGone), PATIENCE * 1000);
   });
   stage.canvas.addEventListener('webglcontextrestored', () => {
     clearTimeout(timer);

@@ -1,5 +1,7 @@
 // The page of the game: builds its parts and ties them together.
 
+import { text } from '../messages';
+import { fillDocument } from '../messages/fill';
 import { modeOf } from '../modes';
 import { HelpDialog } from '../ui/help-dialog';
 import { Notice, showTrouble } from '../ui/notice';
@@ -16,16 +18,17 @@ import { listenToKeys } from './shortcuts';
 import { followColourScheme, Stage } from './stage';
 import { initialPage } from './state';
 import { Store } from './store';
-import { missingFeature, NO_WEBGL } from './support';
+import { missingFeature } from './support';
 import { readOptions } from './url';
 
 function start(): void {
+  fillDocument();
   const missing = missingFeature();
   if (missing) return showTrouble(missing);
   const options = readOptions(location.search);
   const store = new Store(initialPage(options));
   const stage = createStage();
-  if (!stage) return showTrouble(NO_WEBGL);
+  if (!stage) return showTrouble(text.trouble.noWebGl);
   followColourScheme(store);
 
   const mode = modeOf(options.mode);

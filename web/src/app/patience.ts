@@ -6,13 +6,6 @@ const LONG = 2;
 /** Answer of the engine that the page waits for. */
 export type Awaited = 'engine' | 'world' | 'step';
 
-/** Lines for the player. */
-export const DELAYS: Record<Awaited, string> = {
-  engine: 'The engine takes long to load.',
-  world: 'The engine takes long to build this scene.',
-  step: 'The engine takes long for a step. The tower goes on when it is done.',
-};
-
 export class Patience {
   private awaited: Awaited | null = null;
   private since = 0;

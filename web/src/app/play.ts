@@ -5,6 +5,7 @@ import { Client } from '../engine/client';
 import type { Form, Update } from '../engine/game-protocol';
 import type { Built, Frame, SceneEntry, XRay } from '../engine/protocol';
 import { Hand } from '../hand/hand';
+import { text } from '../messages';
 import type { Mode, ModeUi } from '../modes/mode';
 import { showTrouble, type Notice } from '../ui/notice';
 import { Delays } from './delays';
@@ -43,16 +44,16 @@ export class Play {
       xray: xray => this.xray(xray),
       refused: message => {
         this.awaitStep();
-        notice.show(`This scene cannot be built: ${message}`, LONG);
+        notice.show(text.notices.refused(message), LONG);
       },
       failed: message => {
         this.delays.end();
-        showTrouble(`The physics stopped: ${message}. Load the page again to start over.`);
+        showTrouble(text.trouble.stopped(message));
       },
     });
     this.hand = new Hand(this.client, store, stage.orbit, () => stage.bodies!);
     this.modeUi = {
-      notice: (text, seconds) => notice.show(text, seconds),
+      notice: (line, seconds) => notice.show(line, seconds),
       contacts: body => this.client.ask({ what: 'contacts', body }),
     };
   }
@@ -115,7 +116,7 @@ export class Play {
   togglePause(): void {
     const paused = !this.store.state.paused;
     this.store.set({ paused });
-    if (paused && this.hand.holds) this.notice.show('Paused. Look around; the block stays in your hand.');
+    if (paused && this.hand.holds) this.notice.show(text.notices.paused);
   }
 
   private listScenes(list: SceneEntry[]): void {
@@ -150,8 +151,7 @@ export class Play {
     this.hand.receive(frame);
     for (const event of update.events) mode.onEvent(event, this.modeUi);
     for (const command of mode.commands?.(update) ?? []) this.client.command(command);
-    if (this.slowMotion.begins(frame.factor))
-      this.notice.show(`Slow motion, ${frame.factor.toFixed(1)}×: this device cannot keep up.`);
+    if (this.slowMotion.begins(frame.factor)) this.notice.show(text.notices.slow(frame.factor));
   }
 
   private isPaused(): boolean {
@@ -165,7 +165,6 @@ export class Play {
   }
 
   private reportQuarantined({ report }: Update): void {
-    for (const body of report.quarantined)
-      this.notice.show(`Block ${body} became unstable and was frozen where it was.`, LONG);
+    for (const body of report.quarantined) this.notice.show(text.notices.frozen(body), LONG);
   }
 }

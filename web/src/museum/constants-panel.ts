@@ -1,34 +1,15 @@
 // The constants of the 2003 method: switches for the choices that its text discusses, and a list of
 // all others, each with its unit, its range and its meaning. They act on the standing tower.
 
+import { text } from '../messages';
 import { capitalized, element } from '../ui/dom';
 import type { ConstantEntry, ConstantValues } from './protocol';
 import type { MuseumStore } from './state';
 
 /** Names of the switches, in order. */
-const SWITCHES: Record<string, string> = {
-  friction_enabled: 'Friction',
-  static_friction: 'Static friction',
-  disabling: 'Disabling',
-  method: 'Integrator',
-  order: 'Order of pairs',
-  culling: 'Culling',
-};
+const SWITCHES: Record<string, string> = text.museum.constants.switches;
 /** Names of values, where those of the ini file do not say enough. */
-const VALUES: Record<string, string> = {
-  listed: 'as listed (2.5)',
-  'rigid-motion': 'by rigid motion (6.3)',
-  multistep: 'Euler, many steps',
-  euler: 'Euler, one step',
-  midpoint: 'midpoint',
-  rk4: 'Runge-Kutta 4',
-  naive: 'as created',
-  'bottom-up': 'bottom to top',
-  'top-down': 'top to bottom',
-  blocks: 'boxes of blocks',
-  boxes: '… of their parts',
-  planes: '… planes, lines',
-};
+const VALUES: Record<string, string> = text.museum.constants.values;
 /** Coefficient of static friction when it is switched on, that of kinetic friction. */
 const STATIC_FRICTION = '0.4';
 
@@ -56,7 +37,7 @@ export class ConstantsPanel {
     const find = (name: string) => table.find(entry => entry.name === name)!;
     const switches = Object.entries(SWITCHES).map(([name, label]) => this.row(find(name), label));
     element('choices-2003').replaceChildren(...switches);
-    element('method-of-hand').replaceChildren(this.row(find('hand'), 'It moves blocks by'));
+    element('method-of-hand').replaceChildren(this.row(find('hand'), text.museum.constants.hand));
     const rest = table.filter(({ name }) => !(name in SWITCHES) && name !== 'hand');
     const list = element('constants-list');
     list.replaceChildren();
@@ -74,13 +55,13 @@ export class ConstantsPanel {
   private row(entry: ConstantEntry, label: string): HTMLLabelElement {
     const row = document.createElement('label');
     row.className = 'constant';
-    row.title = `${capitalized(entry.meaning)}. Default ${defaultOf(entry)}: ${entry.reason}.`;
-    const text = document.createElement('span');
-    text.textContent = label;
+    row.title = text.museum.constants.hint(capitalized(entry.meaning), defaultOf(entry), entry.reason);
+    const name = document.createElement('span');
+    name.textContent = label;
     const control = this.control(entry);
     control.dataset.constant = entry.name;
     this.controls.set(entry.name, control);
-    row.append(text, control);
+    row.append(name, control);
     return row;
   }
 

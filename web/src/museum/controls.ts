@@ -2,6 +2,7 @@
 
 import type { Options, Range } from '../app/url';
 import type { Hand } from '../hand/hand';
+import { count, decimal, text } from '../messages';
 import { element, onClick, setText } from '../ui/dom';
 import { millimetres, type TowerDistance } from './distance';
 import type { MuseumFrame, MuseumSetup, Show } from './protocol';
@@ -29,11 +30,7 @@ export interface Readouts {
   springs: string;
 }
 
-const SHOWN: Record<Show, string> = {
-  old: 'Wood is the tower of 2003; its disabled blocks are red.',
-  engine: 'Wood is the tower of the engine.',
-  both: 'Wood is the tower of the engine, the blue ghost that of 2003, given the same hand.',
-};
+const TOWER = text.museum.tower;
 
 /** Reads the setup of the towers from the address. */
 export function readSetup(options: Options): MuseumSetup {
@@ -84,22 +81,22 @@ export class Controls {
   }
 
   showReadouts({ frame, fps, distance, blocks, springs }: Readouts): void {
-    setText('n-time', `${frame.update.report.time.toFixed(1)} s, at ${frame.factor.toFixed(2)}× of real time`);
+    setText('n-time', TOWER.pace(text.readouts.seconds(frame.update.report.time, 1), frame.factor));
     element('n-time').classList.toggle('slow', frame.factor < 0.95);
-    setText('n-fps', fps.toFixed(0));
+    setText('n-fps', count(fps));
     setText('n-old', formatCost(frame.costs.old));
     setText('n-engine', formatCost(frame.costs.engine));
     if (distance) {
       setText('n-apart', millimetres(distance.max));
-      setText('n-mean', `${millimetres(distance.mean)} in the mean`);
+      setText('n-mean', TOWER.mean(millimetres(distance.mean)));
     }
     if (frame.old) {
       const { tests, rounds, active, unresolved } = frame.old;
-      const [all, exact, hits] = [tests.potential, tests.after_planes, tests.collisions].map(grouped);
-      setText('n-tests', `${all} → ${exact} exact → ${hits} hits`);
-      setText('n-rounds', String(rounds));
-      setText('n-left', unresolved > 0 ? String(unresolved) : '');
-      setText('n-disabled', `${blocks - active} of ${blocks}`);
+      const [all, exact, hits] = [tests.potential, tests.after_planes, tests.collisions].map(count);
+      setText('n-tests', TOWER.testCounts(all, exact, hits));
+      setText('n-rounds', count(rounds));
+      setText('n-left', unresolved > 0 ? count(unresolved) : '');
+      setText('n-disabled', TOWER.disabledOf(blocks - active, blocks));
     }
     setText('n-springs', springs);
   }
@@ -115,7 +112,7 @@ export class Controls {
     element('place').hidden = of2003;
     element('note-game').hidden = of2003 || show === 'engine';
     element('note-2003').hidden = !of2003;
-    setText('shown', SHOWN[show]);
+    setText('shown', TOWER.shown[show]);
     element('springs').hidden = show !== 'old';
     element('turn').hidden = show === 'old';
     for (const row of document.querySelectorAll<HTMLElement>('[data-of]'))
@@ -130,10 +127,6 @@ function setPressed(id: string, pressed: boolean): void {
 function formatCost(seconds: number | null): string {
   if (seconds === null) return '';
   const ms = 1000 * seconds;
-  const rate = ms < 1 ? 'over 1000' : (1 / seconds).toFixed(0);
-  return `${ms.toFixed(ms < 10 ? 2 : 0)} ms a frame, ${rate} frames/s`;
-}
-
-function grouped(n: number): string {
-  return n.toLocaleString('en').replaceAll(',', '\u202f');
+  const rate = ms < 1 ? TOWER.over(1000) : count(1 / seconds);
+  return TOWER.cost(decimal(ms, ms < 10 ? 2 : 0), rate);
 }

@@ -1,6 +1,7 @@
 // Distance between two towers of the same blocks.
 
 import { POSE_STRIDE } from '../engine/game-protocol';
+import { text } from '../messages';
 
 export interface TowerDistance {
   /** Largest distance between the centres of a block, m, and the block. */
@@ -30,5 +31,5 @@ export function towerDistance(a: ArrayLike<number>, b: ArrayLike<number>): Tower
 /** Formats a distance (m) in mm: hundredths below a centimetre. */
 export function millimetres(distance: number): string {
   const mm = 1000 * distance;
-  return `${mm.toFixed(mm < 10 ? 2 : mm < 100 ? 1 : 0)} mm`;
+  return text.readouts.millimetres(mm, mm < 10 ? 2 : mm < 100 ? 1 : 0);
 }

@@ -1,18 +1,20 @@
 // An exhibit in the plane: its text and controls, and a canvas on which a pointer pulls blocks. Its
 // worker starts when it first comes onto the screen and is paused while it is not.
 
+import { significant, text } from '../messages';
 import { setText } from '../ui/dom';
 import type { Exhibit, Scenery } from './catalogue';
 import { Chart } from './chart';
 import { PlanePicture, WIDE, type Colours } from './plane-picture';
 import type { FromPlane, PlaneFrame, PlaneSetup, ToPlane } from './protocol';
 
+const PLANE = text.museum.plane;
 /** Speeds to choose from: simulated time per wall time; 0 pauses. */
 const SPEEDS: readonly [number, string][] = [
-  [1, 'Real time'],
-  [0.1, '10× slower'],
-  [0.01, '100× slower'],
-  [0, 'Stopped'],
+  [1, PLANE.real],
+  [0.1, PLANE.slower(10)],
+  [0.01, PLANE.slower(100)],
+  [0, PLANE.stopped],
 ];
 /** Height above the highest block at which one is dropped, and offsets from the axis in turn, m. */
 const DROP = { above: 0.03, beside: [0.012, -0.02, 0.004, -0.008] };
@@ -61,11 +63,8 @@ export class ExhibitView {
     get('chapter').textContent = exhibit.chapter;
     get('text').textContent = exhibit.text;
     this.canvas = get<HTMLCanvasElement>('canvas');
-    this.canvas.setAttribute(
-      'aria-label',
-      `${exhibit.title}: blocks seen from the side. Drag a block to pull it; the arrow keys throw and drop.`,
-    );
-    this.picture = new PlanePicture(this.canvas, exhibit.iterations !== null);
+    this.canvas.setAttribute('aria-label', PLANE.picture(exhibit.title));
+    this.picture = new PlanePicture(this.canvas, exhibit.iterations !== '');
     this.scenery = get<HTMLSelectElement>('scenery');
     this.scenery.append(...exhibit.sceneries.map((s, i) => new Option(s.label, String(i))));
     this.speed = get<HTMLSelectElement>('speed');
@@ -84,7 +83,7 @@ export class ExhibitView {
     if (onScreen && !this.worker) {
       this.worker = new Worker(new URL('./plane-worker.ts', import.meta.url), { type: 'module' });
       this.worker.onmessage = (event: MessageEvent<FromPlane>) => this.receive(event.data);
-      this.worker.onerror = event => this.showNote(event.message || 'the simulator did not start');
+      this.worker.onerror = event => this.showNote(event.message || PLANE.notStarted);
       this.restart(true);
     } else {
       this.sendSpeed();
@@ -122,7 +121,7 @@ export class ExhibitView {
 
   private fillCounters(list: HTMLElement): void {
     const rows: string[] = [];
-    if (this.exhibit.iterations) rows.push(`${this.exhibit.iterations} in a step`);
+    if (this.exhibit.iterations) rows.push(PLANE.inStep(this.exhibit.iterations));
     rows.push(...this.exhibit.counters.map(([name]) => name));
     for (const name of rows) {
       const row = document.createElement('div');
@@ -206,7 +205,7 @@ export class ExhibitView {
   }
 
   private receive(message: FromPlane): void {
-    if (message.type === 'failed') return this.showNote(`It stopped: ${message.message}.`);
+    if (message.type === 'failed') return this.showNote(PLANE.failed(message.message));
     if (message.type === 'refused') return this.showNote(message.message);
     if (message.scene !== this.scene) return;
     const { counts, factor } = message;
@@ -217,14 +216,12 @@ export class ExhibitView {
     this.last = message;
     this.max = Math.max(this.max, counts.most);
     const values = this.exhibit.counters.map(([, value]) => value(counts));
-    if (this.exhibit.iterations) values.unshift(`${counts.most}, max ${this.max}`);
+    if (this.exhibit.iterations) values.unshift(PLANE.max(counts.most, this.max));
     values.forEach((value, i) => setText(this.counters[i], value));
     const wanted = Number(this.speed.value);
     const behind = wanted > 0 && factor < 0.8 * wanted && counts.time > 0.05;
-    setText(
-      this.pace,
-      `${counts.time.toFixed(3)} s${behind ? `, at ${factor.toPrecision(2)}× of real time: this device cannot keep up` : ''}`,
-    );
+    const time = text.readouts.seconds(counts.time, 3);
+    setText(this.pace, behind ? PLANE.behind(time, significant(factor, 2)) : time);
     this.invalidate();
   }
 

@@ -2,6 +2,8 @@
 // plane before it.
 
 import { readOptions } from '../app/url';
+import { text } from '../messages';
+import { fillDocument } from '../messages/fill';
 import { showTrouble } from '../ui/notice';
 import { EXHIBITS } from './catalogue';
 import { ExhibitView } from './exhibit-view';
@@ -10,8 +12,8 @@ import type { Colours } from './plane-picture';
 import { Tower } from './tower';
 
 function start(): void {
-  if (typeof WebAssembly !== 'object' || typeof Worker !== 'function')
-    return showTrouble('The simulators need WebAssembly and workers. A current version of any browser has both.');
+  fillDocument();
+  if (typeof WebAssembly !== 'object' || typeof Worker !== 'function') return showTrouble(text.museum.unsupported);
   const template = document.getElementById('exhibit') as HTMLTemplateElement;
   let colours = readColours();
   const views = new Map(EXHIBITS.map(exhibit => [exhibit.method, new ExhibitView(exhibit, template, () => colours)]));

@@ -10,6 +10,7 @@ import type { Options } from '../app/url';
 import type { Built } from '../engine/protocol';
 import { Hand } from '../hand/hand';
 import { Pointers } from '../hand/pointers';
+import { text } from '../messages';
 import type { RingState } from '../ui/force-ring';
 import { Notice, showTrouble } from '../ui/notice';
 import { Bodies } from '../view/bodies';
@@ -109,8 +110,8 @@ export class Tower {
       scenes: () => this.opened(),
       built: world => this.begin(world),
       frame: frame => this.receive(frame),
-      refused: message => this.notice.show(`This tower cannot be built: ${message}`, 8),
-      failed: message => showTrouble(`The simulation stopped: ${message}. Load the page again to start over.`),
+      refused: message => this.notice.show(text.museum.tower.refused(message), 8),
+      failed: message => showTrouble(text.museum.tower.stopped(message)),
     });
   }
 
@@ -240,7 +241,7 @@ export class Tower {
     else this.warn();
     const both = this.store.state.setup.show === 'both';
     if (stood && frame.update.tower === 'fallen')
-      this.notice.show(both ? 'The engine’s tower fell.' : 'The tower fell.', LONG);
+      this.notice.show(both ? text.museum.tower.enginesFell : text.museum.tower.towerFell, LONG);
   }
 
   /** Says once per grasp that a carried block fits no slot. */
@@ -249,7 +250,7 @@ export class Tower {
     const { show } = this.store.state.setup;
     if (show !== 'old' || !hand.carries || this.warned || hand.slots.length > 0) return;
     this.warned = true;
-    this.notice.show('This one lies across the slots on top, and the hand of 2003 cannot turn it.', LONG);
+    this.notice.show(text.museum.tower.fits, LONG);
   }
 
   /** Paints the disabled blocks of the tower of 2003 red. */
@@ -278,7 +279,7 @@ export class Tower {
     const { setup, frame } = this.store.state;
     const force = frame?.update.hand?.force;
     const writes = setup.show === 'old' && force?.every(f => f === 0);
-    return state && writes ? { ...state, note: 'velocity set directly' } : state;
+    return state && writes ? { ...state, note: text.museum.tower.velocity } : state;
   }
 
   private moveGhost(t: number): boolean {
@@ -300,7 +301,7 @@ export class Tower {
       fps: stage.fps,
       distance: frame.ghost && towerDistance(frame.poses, frame.ghost.poses),
       blocks: stage.bodies.count,
-      springs: springs ? `up to ${formatForce(stage.forces.end, unit)} ${unit}` : '',
+      springs: springs ? text.museum.tower.upTo(`${formatForce(stage.forces.end, unit)} ${unit}`) : '',
     });
   }
 }

@@ -4,6 +4,7 @@
 import { Vector3 } from 'three';
 import type { HandUpdate } from '../engine/game-protocol';
 import type { Hand, Holders } from '../hand/hand';
+import { text } from '../messages';
 import type { Bodies } from '../view/bodies';
 import type { Orbit } from '../view/orbit';
 import { element, setText } from './dom';
@@ -68,7 +69,8 @@ export class ForceRing {
       this.arrow.setAttribute('x2', (unit.x * (RADIUS + length)).toFixed(1));
       this.arrow.setAttribute('y2', (unit.y * (RADIUS + length)).toFixed(1));
     }
-    setText(this.force, `${state.force.toFixed(2)} N${state.capped ? ' · max' : ''}`);
+    const force = text.readouts.newtons(state.force, 2);
+    setText(this.force, state.capped ? text.hand.limit(force) : force);
     setText(this.note, state.note);
   }
 }
@@ -103,7 +105,7 @@ function pullOf({ grip, force }: HandUpdate): Vector3 {
 /** Describes the blocks that hold a block. */
 export function heldBy({ bodies, force }: Holders): string {
   if (bodies.length === 0) return '';
-  return `held by ${bodies.length === 1 ? '1 block' : `${bodies.length} blocks`}, ${force.toFixed(1)} N`;
+  return text.hand.heldBy(bodies.length, text.readouts.newtons(force, 1));
 }
 
 /** Creates the ring, hidden, and returns the group that moves with the hand. */

@@ -3,6 +3,7 @@
 import { SLOW } from '../app/slow-motion';
 import type { Stage } from '../app/stage';
 import type { PageStore } from '../app/state';
+import { text } from '../messages';
 import type { Mode } from '../modes/mode';
 import { element, setText } from './dom';
 
@@ -16,20 +17,20 @@ export class Readouts {
   show(): void {
     const { frame, paused, panelOpen } = this.store.state;
     const blocks = this.stage.bodies?.count ?? 0;
-    const status = frame ? this.mode.overlay(frame.update, blocks).status : `${blocks} blocks`;
-    setText('state', paused ? `Paused · ${blocks} blocks` : status);
-    setText('fps', `${this.stage.fps.toFixed(0)} fps`);
+    const status = frame ? this.mode.overlay(frame.update, blocks).status : text.readouts.blocks(blocks);
+    setText('state', paused ? text.readouts.paused(blocks) : status);
+    setText('fps', text.readouts.fps(this.stage.fps));
     const factor = frame?.factor ?? 1;
     const slow = !paused && factor < SLOW;
-    setText('factor', slow ? `slow motion ${factor.toFixed(2)}×` : `real time ${factor.toFixed(2)}×`);
+    setText('factor', slow ? text.readouts.slow(factor) : text.readouts.real(factor));
     element('factor').classList.toggle('slow', slow);
     if (!panelOpen) return;
     const report = frame?.update.report;
     setText('n-blocks', String(blocks));
     setText('n-awake', String(report?.awake ?? 0));
-    setText('n-time', `${(report?.time ?? 0).toFixed(1)} s`);
-    setText('n-capacity', `${(frame?.capacity ?? 1).toFixed(1)}×`);
-    setText('n-overlap', `${((report?.penetration ?? 0) * 1000).toFixed(3)} mm`);
-    setText('n-quality', this.stage.quality.tier.name);
+    setText('n-time', text.readouts.seconds(report?.time ?? 0, 1));
+    setText('n-capacity', text.readouts.speed(frame?.capacity ?? 1));
+    setText('n-overlap', text.readouts.millimetres((report?.penetration ?? 0) * 1000, 3));
+    setText('n-quality', text.readouts.quality[this.stage.quality.tier.name]);
   }
 }

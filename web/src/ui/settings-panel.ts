@@ -6,13 +6,13 @@ import { MAX_FORCE, ROWS, SEED, type Options } from '../app/url';
 import { STIFFNESSES } from '../engine/device';
 import type { Form } from '../engine/game-protocol';
 import type { BlockPreset, SceneEntry } from '../engine/protocol';
+import { language, text } from '../messages';
+import { chooseLanguage, LANGUAGES } from '../messages/languages';
 import { capitalized, element, onClick, setText } from './dom';
 import { newtonsPerMillimetre, SpringsDial } from './springs-dial';
 
 /** Largest random seed. */
 const MAX_RANDOM_SEED = 99_999;
-
-const FORMS: Record<Form, string> = { rigid: 'Rigid', lattice: 'Springs inside' };
 
 export class SettingsPanel {
   private readonly panel = element('panel');
@@ -37,11 +37,12 @@ export class SettingsPanel {
     setRange(this.rows, ROWS);
     setRange(this.maxForce, MAX_FORCE);
     this.listStiffnesses(options.stiffness);
+    listLanguages();
     store.subscribe(['scenes'], ({ scenes }) => this.listScenes(scenes));
     store.subscribe(['settings'], ({ settings }) => this.showSettings(settings));
     store.subscribe(['maxForce'], ({ maxForce }) => {
       this.maxForce.value = String(maxForce);
-      setText('cap-value', `${maxForce.toFixed(1)} N`);
+      setText('cap-value', text.readouts.newtons(maxForce, 1));
     });
     store.subscribe(['overlay'], ({ overlay }) => (this.showSprings.checked = overlay === 'springs'));
     store.subscribe(['world', 'form', 'settings'], state => this.showWorld(state));
@@ -105,13 +106,13 @@ export class SettingsPanel {
     if (!world) return;
     const { stiffness } = world;
     const value = newtonsPerMillimetre(stiffness.value);
-    setText('stiffness-value', stiffness.chosen ? `${value}, chosen for this device.` : '');
-    setText('form-value', form.chosen ? `${FORMS[form.value]}, chosen for this device.` : '');
+    setText('stiffness-value', stiffness.chosen ? text.panel.chosen(value) : '');
+    setText('form-value', form.chosen ? text.panel.chosen(text.panel[form.value]) : '');
     this.dial.show(form.value === 'lattice', settings.springs, stiffness.value);
   }
 
   private listScenes(list: SceneEntry[]): void {
-    this.scene.replaceChildren(new Option('Tower', ''), ...list.map(e => new Option(capitalized(e.title), e.name)));
+    this.scene.replaceChildren(new Option(text.panel.tower, ''), ...list.map(e => new Option(titleOf(e), e.name)));
     this.scene.value = this.store.state.settings.scene ?? '';
   }
 
@@ -121,6 +122,23 @@ export class SettingsPanel {
       named === null || STIFFNESSES.includes(named) ? STIFFNESSES : [...STIFFNESSES, named].sort((a, b) => a - b);
     this.stiffness.append(...all.map(k => new Option(newtonsPerMillimetre(k), String(k))));
   }
+}
+
+/** Lists the languages, each in itself. */
+function listLanguages(): void {
+  const select = element<HTMLSelectElement>('language');
+  for (const [code, { language: name }] of Object.entries(LANGUAGES)) {
+    const option = new Option(name, code, code === language, code === language);
+    option.lang = code;
+    select.add(option);
+  }
+  select.addEventListener('change', () => chooseLanguage(select.value));
+}
+
+/** Returns the title of a scene; that of the engine for a scene without one in this language. */
+function titleOf({ name, title }: SceneEntry): string {
+  const titles: Partial<Record<string, string>> = text.scenes;
+  return titles[name] ?? capitalized(title);
 }
 
 function setRange(input: HTMLInputElement, { min, max }: { min: number; max: number }): void {

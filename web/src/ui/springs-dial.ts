@@ -1,5 +1,6 @@
 // The dial of the stiffness of springs: a logarithmic slider from jelly to wood.
 
+import { significant, text } from '../messages';
 import { element, setText } from './dom';
 
 /** Ends of the dial, N/m, and its steps. */
@@ -27,7 +28,7 @@ export function snapped(stiffness: number, contacts: number): number | null {
 }
 
 export function newtonsPerMillimetre(stiffness: number): string {
-  return `${Number((stiffness / 1000).toPrecision(3))} N/mm`;
+  return text.readouts.stiffness(significant(stiffness / 1000, 3));
 }
 
 export class SpringsDial {
@@ -52,7 +53,7 @@ export class SpringsDial {
     // Several steps may snap to the contacts: the slider stays where the player put it.
     if (snapped(stiffnessAt(Number(this.input.value)), contacts) !== chosen) this.input.value = String(step);
     const value = newtonsPerMillimetre(chosen ?? contacts);
-    const note = chosen === null ? 'as the contacts' : '';
+    const note = chosen === null ? text.panel.asContacts : '';
     setText('springs-value', value);
     setText('springs-same', note);
     this.input.setAttribute('aria-valuetext', note ? `${value}, ${note}` : value);

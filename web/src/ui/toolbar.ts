@@ -3,6 +3,7 @@
 import type { Play } from '../app/play';
 import type { PageStore } from '../app/state';
 import type { GripMode } from '../engine/game-protocol';
+import { text } from '../messages';
 import { element, onClick } from './dom';
 
 export class Toolbar {
@@ -60,5 +61,5 @@ function showPaused(paused: boolean): void {
   const button = element('pause');
   button.setAttribute('aria-pressed', String(paused));
   button.querySelector('use')!.setAttribute('href', paused ? '#i-play' : '#i-pause');
-  button.querySelector('span')!.textContent = paused ? 'Resume' : 'Pause';
+  button.querySelector('span')!.textContent = paused ? text.toolbar.resume : text.toolbar.pause;
 }

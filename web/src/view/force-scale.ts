@@ -1,5 +1,7 @@
 // The scale of forces in the springs view, which follows the largest force smoothly.
 
+import { significant } from '../messages';
+
 /**
  * Time constants of the scale, s: an impact must not saturate it, and must not hide for long what
  * follows.
@@ -43,5 +45,5 @@ export function unitOf(end: number): 'N' | 'mN' {
 
 /** Returns the magnitude of a force with two significant figures. */
 export function formatForce(force: number, unit: 'N' | 'mN'): string {
-  return String(Number(Math.abs(unit === 'mN' ? force * 1000 : force).toPrecision(2)));
+  return significant(Math.abs(unit === 'mN' ? force * 1000 : force), 2);
 }

@@ -107,7 +107,7 @@ export class Labels {
     const { text, marked } = this.labels[body]!;
     const room = (2 * halfWidth - (marked ? FRAME : 0)) / CHARACTER_WIDTH;
     // Without room for it the zero before the point is left out.
-    const fitting = room / text.length < FONT.min ? text.replace(/^0\./, '.') : text;
+    const fitting = room / text.length < FONT.min ? text.replace(/^0(?=[.,])/, '') : text;
     const font = Math.floor(Math.min(FONT.max, (2 * FILL * area) / halfWidth, room / fitting.length));
     if (!(font >= FONT.min)) {
       this.cramped += 1;

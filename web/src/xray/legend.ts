@@ -1,5 +1,6 @@
 // The switch and the legend of the X-ray.
 
+import { significant, text } from '../messages';
 import { element, onClick } from '../ui/dom';
 import { colourOf, forceText, GRADIENT, isLoose, levelOf, LOOSE, TICKS, type Reading } from './readings';
 
@@ -24,7 +25,7 @@ export class XRayLegend {
     element('xray-swatch').style.background = `rgb(${colourOf(LOOSE).map(c => Math.round(255 * c))})`;
     const ticks = TICKS.map(force => {
       const span = document.createElement('span');
-      span.textContent = String(force);
+      span.textContent = significant(force, 2);
       span.style.left = `${100 * levelOf(force)}%`;
       return span;
     });
@@ -33,9 +34,9 @@ export class XRayLegend {
 
   show({ on, readings, paused, body, cramped }: XRayState): void {
     const loose = readings?.filter(isLoose).length ?? 0;
-    const count = readings ? `${loose} of ${readings.length} loose` : paused ? 'paused in motion' : 'settling…';
-    const tilted = readings?.some(({ pull }) => pull === null) ? 'Grey: not lying level.' : '';
-    const hint = readings && cramped > 0 ? 'Zoom in for more figures.' : tilted;
+    const count = readings ? text.xray.loose(loose, readings.length) : paused ? text.xray.paused : text.xray.settling;
+    const tilted = readings?.some(({ pull }) => pull === null) ? text.xray.tilted : '';
+    const hint = readings && cramped > 0 ? text.xray.zoom : tilted;
     const details = readings && body !== null ? describe(body, readings[body]) : hint;
     const shown = JSON.stringify([on, count, details]);
     if (shown === this.shown) return;
@@ -49,6 +50,7 @@ export class XRayLegend {
 }
 
 function describe(body: number, { load, pull }: Reading): string {
-  const start = pull === null ? 'lies on nothing or at an angle' : `pull ${forceText(pull)} N`;
-  return `Block ${body}: ${start}, carries ${load < 0.005 ? 'nothing' : `${forceText(load)} N`}`;
+  const { pull: pulls, noSupport, load: newtons, noLoad, block } = text.xray;
+  const start = pull === null ? noSupport : pulls(forceText(pull));
+  return block(body, start, load < 0.005 ? noLoad : newtons(forceText(load)));
 }

@@ -1,6 +1,7 @@
 // The X-ray: load and breakaway force of each block as numbers and colours.
 
 import { Vector3 } from 'three';
+import { decimal } from '../messages';
 import type { Bodies } from '../view/bodies';
 
 /**
@@ -68,7 +69,7 @@ export function isDark(force: number): boolean {
 
 /** Formats a force, N: hundredths below one newton, tenths above. */
 export function forceText(force: number): string {
-  return force.toFixed(force < 0.995 ? 2 : force < 9.95 ? 1 : 0);
+  return decimal(force, force < 0.995 ? 2 : force < 9.95 ? 1 : 0);
 }
 
 export interface Reading {

@@ -1,0 +1,113 @@
+// The layout of the page at the sizes of phones and desktops, in each language.
+
+import { afterAll, beforeAll, expect, test } from 'vitest';
+import { host, Session, SMALL, type Host } from './browser';
+
+let chrome: Host;
+beforeAll(async () => {
+  chrome = await host();
+});
+afterAll(() => chrome?.stop());
+
+test.each([
+  [390, 844, 'en'],
+  [360, 640, 'en'],
+  [844, 390, 'en'],
+  [1280, 800, 'en'],
+  [390, 844, 'de'],
+  [844, 390, 'de'],
+  [1280, 800, 'de'],
+])('at %i x %i in %s nothing overlaps, is cut off or leaves the screen', async (width, height, lang) => {
+  const phone = width < 1000;
+  await using session = await Session.open(chrome, `${SMALL}&lang=${lang}`, {
+    viewport: { width, height },
+    hasTouch: phone,
+    isMobile: phone,
+  });
+  const { page } = session;
+  const problems = (carrying = false) =>
+    page.evaluate(carrying => {
+      const found: string[] = [];
+      if (carrying) document.getElementById('carrying')!.hidden = false;
+      const shown = [
+        ...document.querySelectorAll<HTMLElement>(
+          '#title, #legend, #scale, #xray, #readouts, #tools, #panel, #carrying',
+        ),
+      ].filter(e => e.offsetParent !== null || getComputedStyle(e).position === 'fixed');
+      const boxes = shown.filter(e => !e.hidden).map(e => ({ e, name: e.id, box: e.getBoundingClientRect() }));
+      for (const { name, box } of boxes)
+        if (box.left < 0 || box.top < 0 || box.right > innerWidth + 0.5 || box.bottom > innerHeight + 0.5)
+          found.push(`${name} leaves the screen`);
+      for (const [i, a] of boxes.entries()) {
+        for (const b of boxes.slice(i + 1)) {
+          if (a.e.contains(b.e)) continue;
+          // On a phone on its side the panel may lie over the title: it is closed again with one
+          // tap.
+          if (innerHeight < 500 && (a.name === 'panel' || b.name === 'panel')) continue;
+          if (
+            a.box.left < b.box.right &&
+            b.box.left < a.box.right &&
+            a.box.top < b.box.bottom &&
+            b.box.top < a.box.bottom
+          )
+            found.push(`${a.name} over ${b.name}`);
+        }
+      }
+      for (const button of document.querySelectorAll<HTMLElement>('button')) {
+        const box = button.getBoundingClientRect();
+        if (box.width > 0 && (box.width < 43.5 || box.height < 43.5))
+          found.push(`${button.id || button.textContent} is ${box.width.toFixed(0)} x ${box.height.toFixed(0)}`);
+        if (button.scrollWidth > button.clientWidth + 1) found.push(`${button.id} is too narrow for its text`);
+        const bar = button.closest('.bar')?.getBoundingClientRect();
+        if (bar && (box.left < bar.left || box.right > bar.right))
+          found.push(`${button.textContent} runs over the edge of its bar`);
+      }
+      if (document.documentElement.scrollWidth > innerWidth || document.documentElement.scrollHeight > innerHeight)
+        found.push('the page scrolls');
+      return found;
+    }, carrying);
+  expect(await problems()).toEqual([]);
+  await page.click('#settings');
+  expect(await problems()).toEqual([]);
+  await page.selectOption('#form', 'lattice');
+  await page.waitForSelector('#springs-fields:not([hidden])');
+  expect(await problems(), 'with the dial of the springs').toEqual([]);
+  await page.click('#panel-close');
+  await page.click('#springs-toggle');
+  await page.waitForSelector('#scale:not([hidden])');
+  expect(await problems(), 'with the legend of the springs').toEqual([]);
+  expect(await problems(true), 'with a block in the hand').toEqual([]);
+  await page.click('#xray-toggle');
+  await page.waitForFunction(() => window.teeter.xray.pulls !== null);
+  expect(await problems(true), 'with the legend of the X-ray').toEqual([]);
+});
+
+test('a German browser gets German texts and figures, and the setting changes the language for good', async () => {
+  await using session = await Session.open(chrome, `${SMALL}&rows=3&render=once`, { locale: 'de-CH' });
+  const { page } = session;
+  const state = () =>
+    page.evaluate(() => ({
+      lang: document.documentElement.lang,
+      pause: document.querySelector('#pause span')!.textContent,
+      tip: document.getElementById('place')!.title,
+      force: document.getElementById('cap-value')!.textContent,
+    }));
+  expect(await state()).toEqual({
+    lang: 'de',
+    pause: 'Pause',
+    tip: 'Den freien Klotz obenauf legen (P)',
+    force: '4,0 N',
+  });
+  await page.waitForFunction(() =>
+    /^(Steht|In Bewegung) · 9 Klötze$/.test(document.getElementById('state')!.textContent!),
+  );
+  await page.click('#settings');
+  await Promise.all([page.waitForNavigation(), page.selectOption('#language', 'en')]);
+  await page.waitForFunction(() => window.teeter?.ready);
+  const english = { lang: 'en', pause: 'Pause', tip: 'Place the free block on top (P)', force: '4.0 N' };
+  expect(await state()).toEqual(english);
+  await page.reload();
+  await page.waitForFunction(() => window.teeter?.ready);
+  expect(await state()).toEqual(english);
+  expect(session.complaints).toEqual([]);
+});
