@@ -226,6 +226,15 @@ impl Bodies {
         }
     }
 
+    /// Velocity (m/s) of a body at a point of the world, and its spin (rad/s); zero for the floor.
+    pub fn twist_at(&self, i: u32, point: DVec3) -> (DVec3, DVec3) {
+        if i == FLOOR {
+            return (DVec3::ZERO, DVec3::ZERO);
+        }
+        let i = i as usize;
+        (self.velocity[i] + self.spin[i].cross(point - self.position[i]), self.spin[i])
+    }
+
     /// Stretch of a body; none for rigid bodies and the floor.
     pub fn stretch_of(&self, i: u32) -> Option<&DMat3> {
         self.stretch.get(i as usize)

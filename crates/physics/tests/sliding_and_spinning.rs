@@ -13,7 +13,7 @@ const THIN: f64 = 1e-3;
 
 /// Plate on the floor that is given a velocity and a spin.
 struct Throw {
-    size: [f64; 2],
+    size: [f64; 3],
     yaw: f64,
     speed: f64,
     spin: f64,
@@ -31,7 +31,7 @@ impl Throw {
         let length = 0.03 + 0.06 * random.uniform();
         let ratio = 1.0 + 3.0 * random.uniform();
         Self {
-            size: [length, length / ratio],
+            size: [length, length / ratio, THIN],
             yaw: std::f64::consts::TAU * random.uniform(),
             speed: 0.05 + 0.45 * random.uniform(),
             spin: (5.0 + 35.0 * random.uniform()) * if random.uniform() < 0.5 { -1.0 } else { 1.0 },
@@ -40,7 +40,7 @@ impl Throw {
 
     /// Integrates a uniform pressure over a mesh, with the same friction at every speed.
     fn mesh(&self) -> Stop {
-        let [a, b] = self.size;
+        let [a, b, _] = self.size;
         let (nx, ny) = (40, (40.0 * b / a).ceil().max(8.0) as usize);
         let cell = |i: usize, n: usize, size: f64| ((i as f64 + 0.5) / n as f64 - 0.5) * size;
         let cells: Vec<DVec2> = (0..nx * ny).map(|i| DVec2::new(cell(i % nx, nx, a), cell(i / nx, ny, b))).collect();
@@ -67,8 +67,7 @@ impl Throw {
 
     /// Lets the engine do the same.
     fn run(&self) -> Stop {
-        let [a, b] = self.size;
-        let block = Block { yaw: self.yaw, ..Block::new(0, [a, b, THIN], 0.02, [0.0, 0.0, 0.5 * THIN]) };
+        let block = Block { yaw: self.yaw, ..Block::new(0, self.size, 0.02, [0.0, 0.0, 0.5 * self.size[2]]) };
         let scene = Scene { friction: MU, blocks: vec![block], ..one() };
         let mut world = World::new(&scene, awake()).unwrap();
         run(&mut world, 0.6, &Input::default());
@@ -109,4 +108,14 @@ fn a_plate_that_slides_and_spins_stops_where_a_uniform_pressure_stops_it() {
     let (median, worst) = (all[all.len() / 2], all[all.len() - 1]);
     assert!(median < 0.03, "median error {median}");
     assert!(worst < 0.06, "worst error {worst}");
+}
+
+#[test]
+fn a_square_and_a_block_that_slide_and_spin_stop_within_one_percent() {
+    for size in [[0.08, 0.08, 0.002], [0.081, 0.0268, 0.002]] {
+        let throw = Throw { size, yaw: 0.0, speed: 0.5, spin: 10.0 };
+        let (found, right) = (throw.run(), throw.mesh());
+        let errors = [found.distance / right.distance - 1.0, found.angle / right.angle - 1.0];
+        assert!(errors.iter().all(|error| error.abs() < 0.01), "{size:?}: {errors:?}");
+    }
 }

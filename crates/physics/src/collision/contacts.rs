@@ -165,15 +165,17 @@ impl Contacts {
     pub fn update_gaps(shapes: &Shapes, bodies: &Bodies, manifold: &mut Manifold) -> f64 {
         let before: ArrayVec<f64, MAX_POINTS> = manifold.points.iter().map(|p| p.gap.min(0.0)).collect();
         set_gaps(bodies, manifold);
-        let (mut sunk, mut weight) = (0.0, 0.0);
+        // By the forces of the points: the springs then hold what they held before.
+        let (mut work, mut force) = (0.0, 0.0);
         for (before, point) in before.into_iter().zip(&manifold.points).filter(|(_, point)| point.gap < 0.0) {
-            sunk += point.weight * (before - point.gap);
-            weight += point.weight;
+            let pressed = point.weight * (-point.gap - manifold.free_depth).max(0.0);
+            work += pressed * (before - point.gap);
+            force += pressed;
         }
         let deepest = manifold.deepest();
         // What rocks to and fro sinks and rises by the same, and gathers no free depth.
-        if manifold.free_depth > 0.0 || sunk > weight * MIN_SUNK_DEPTH * thickness(manifold, shapes) {
-            let sunk = if weight > 0.0 { sunk / weight } else { 0.0 };
+        let sunk = if force > 0.0 { work / force } else { 0.0 };
+        if manifold.free_depth > 0.0 || sunk > MIN_SUNK_DEPTH * thickness(manifold, shapes) {
             // Bodies that move apart leave none behind.
             manifold.free_depth = (manifold.free_depth + sunk).clamp(0.0, deepest);
         }

@@ -8,7 +8,7 @@ use glam::{DMat3, DVec3};
 use serde::{Deserialize, Serialize};
 
 use crate::body::{Bodies, FLOOR};
-use crate::collision::friction_levers::FrictionLevers;
+use crate::collision::friction_levers::{FrictionLevers, Slip};
 use crate::collision::polygon::{MAX_CORNERS, Patch};
 use crate::constants::{MIN_AREA, REFERENCE_AREA};
 
@@ -237,20 +237,35 @@ impl Manifold {
         self.points.iter().map(|p| p.weight * p.arm[0] * p.arm[1]).sum::<f64>()
     }
 
+    /// Centre of pressure of the last substep: offset from the centroid along the tangents, m.
+    fn center_of_pressure(&self) -> [f64; 2] {
+        let total = self.normal_force();
+        if total <= 0.0 {
+            return [0.0; 2];
+        }
+        [0, 1].map(|k| self.points.iter().map(|p| p.normal_force * p.arm[k]).sum::<f64>() / total)
+    }
+
+    /// Velocity and spin of B relative to A at an offset from the centroid (m).
+    fn slip(&self, bodies: &Bodies, [x, y]: [f64; 2]) -> Slip {
+        let (center_a, axes_a) = bodies.pose(self.a);
+        let [normal, tangents @ ..] = self.frame_in_world(bodies, axes_a);
+        let at = center_a + axes_a * self.centroid + tangents[0] * x + tangents[1] * y;
+        let [(velocity_a, spin_a), (velocity_b, spin_b)] = [self.a, self.b].map(|i| bodies.twist_at(i, at));
+        let velocity = velocity_b - velocity_a;
+        Slip { velocity: tangents.map(|tangent| tangent.dot(velocity)), spin: normal.dot(spin_b - spin_a) }
+    }
+
     /// Lever of friction along the tangents, and turning arm, of each point, m.
     ///
     /// The resultant acts at the centre of pressure of the last substep, from which
     /// [`FrictionLevers`] takes the offsets.
-    pub fn friction_arms(&self) -> impl Fn(&ContactPoint) -> [f64; 3] {
-        let total = self.normal_force();
-        let center = |k: usize| {
-            if total > 0.0 { self.points.iter().map(|p| p.normal_force * p.arm[k]).sum::<f64>() / total } else { 0.0 }
-        };
-        let (center, levers) = ([center(0), center(1)], self.levers);
+    pub fn friction_arms(&self, bodies: &Bodies) -> impl Fn(&ContactPoint) -> [f64; 3] {
+        let center = self.center_of_pressure();
+        let levers = self.levers.at(&self.slip(bodies, center));
         move |p| {
-            let offset = [p.arm[0] - center[0], p.arm[1] - center[1]];
-            let [x, y] = levers.lever(offset);
-            [center[0] + x, center[1] + y, levers.turning_arm(offset)]
+            let [x, y, turning_arm] = levers.arms([p.arm[0] - center[0], p.arm[1] - center[1]]);
+            [center[0] + x, center[1] + y, turning_arm]
         }
     }
 

@@ -178,6 +178,7 @@ impl Packing {
             (group.mu_kinetic.0[l], group.mu_excess.0[l]) = (R::from_f64(kinetic), R::from_f64(excess));
             let (stiffness, damping) = stable_spring(manifold, input.shapes, input.bodies);
             pack_points(group, l, &entry, manifold, (stiffness, damping / stiffness / input.derived.h));
+            pack_friction_arms(group, l, &entry, manifold, input.bodies);
             for i in [entry.a, entry.b].into_iter().filter(|&i| i != FLOOR) {
                 self.entry_counts[i as usize] += 1;
             }
@@ -274,7 +275,6 @@ fn pack_points<R: Real>(
     manifold: &Manifold,
     (stiffness, damping_time): (f64, f64),
 ) {
-    let friction_arms = manifold.friction_arms();
     group.counts[l] = entry.points.len() as u8;
     group.damping_time.0[l] = R::from_f64(damping_time);
     for (&p, to) in entry.points.iter().zip(&mut group.points) {
@@ -283,13 +283,22 @@ fn pack_points<R: Real>(
         for (to, arm) in to.arm.iter_mut().zip(from.arm) {
             set(to, arm);
         }
-        for (k, friction_arm) in friction_arms(from).into_iter().enumerate() {
-            set(&mut to.friction_arm[k], friction_arm);
-            set(&mut to.tangential[k], from.tangential[k]);
+        for (to, tangential) in to.tangential.iter_mut().zip(from.tangential) {
+            set(to, tangential);
         }
         set(&mut to.gap, from.gap + manifold.free_depth);
         set(&mut to.maxwell, from.maxwell);
         set(&mut to.stiffness, stiffness * from.weight);
+    }
+}
+
+/// Packs the levers of friction of an entry into lane `l`.
+fn pack_friction_arms<R: Real>(group: &mut Group<R>, l: usize, entry: &Entry, manifold: &Manifold, bodies: &Bodies) {
+    let friction_arms = manifold.friction_arms(bodies);
+    for (&p, to) in entry.points.iter().zip(&mut group.points) {
+        for (to, arm) in to.friction_arm.iter_mut().zip(friction_arms(&manifold.points[p as usize])) {
+            to.0[l] = R::from_f64(arm);
+        }
     }
 }
 
