@@ -181,7 +181,7 @@ impl Opponent {
     }
 }
 
-/// What an opponent is about to do in its turn.
+/// Next action of an opponent in its turn.
 enum Intent {
     Wait,
     Resign,
