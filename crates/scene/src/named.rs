@@ -14,7 +14,7 @@ use crate::cards::{CardsOptions, cards};
 use crate::preset::BlockPreset;
 use crate::scene::Scene;
 use crate::tower::{self, TowerOptions, tower};
-use balance::{lire, see_saw, slope};
+use balance::{arch, lire, see_saw, slope};
 use piles::{pile, stack};
 use rows::{dominoes, wall};
 use towers::{exact, midgame, test_2, valid};
@@ -131,6 +131,7 @@ pub const NAMED: &[NamedScene] = &[
     }),
     entry("dominoes", "a row of twenty dominoes, the first of them beyond its balance", Some(Unstable), dominoes),
     entry("lire", "the leaning tower of Lire: ten blocks, the top one wholly beyond the base", Some(Stable), lire),
+    entry("arch", "a corbelled arch: two stacks that lean towards each other under one block", Some(Stable), arch),
     entry("wall", "a dry wall of bricks in running bond", Some(Stable), wall),
     entry("see-saw", "a plank on a ridge: one block balances two at half the distance", Some(Stable), see_saw),
     entry("slope", "a tower on a plate that slopes by 15 degrees, below the angle of friction", Some(Stable), slope),

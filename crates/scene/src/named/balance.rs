@@ -10,6 +10,11 @@ use crate::scene::{Block, Scene};
 /// Share of the greatest possible overhangs in the tower of Lire. The blocks above an edge have
 /// their centre of mass inside it by the rest of half a length, 0.81 mm.
 const OVERHANG: f64 = 0.98;
+/// Courses on each side of the arch, and the gap between the uppermost ones, m.
+const ARCH_COURSES: u32 = 6;
+const ARCH_GAP: f64 = 0.03;
+/// Share of the greatest possible overhangs in the arch.
+const ARCH_OVERHANG: f64 = 0.9;
 /// Slope of the plate, degrees. With friction of 0.4 blocks slide from 21.8 degrees on.
 const SLOPE: f64 = 15.0;
 
@@ -25,6 +30,27 @@ pub fn lire() -> Scene {
         nominal(level, [x, 0.0, height * (f64::from(level) + 0.5)], 0.0)
     });
     scene_of(blocks.collect())
+}
+
+/// Two stacks of six blocks that lean towards each other, and one block across the gap between
+/// them. Each course overhangs the one below as far as all above it balances, less a reserve.
+pub fn arch() -> Scene {
+    let [length, _, height] = BlockPreset::Dissertation.size();
+    // Distances of the centres from the middle of the arch, from the top; the inner ends of the
+    // uppermost courses bear half of the last block each.
+    let mut centers = vec![0.5 * (ARCH_GAP + length)];
+    let end = 0.5 * ARCH_GAP;
+    for above in 1..ARCH_COURSES {
+        let load = centers.iter().sum::<f64>() + 0.5 * end;
+        centers.push(load / (f64::from(above) + 0.5) + 0.5 * ARCH_OVERHANG * length);
+    }
+    let course = |i: usize| height * (f64::from(ARCH_COURSES) - i as f64 - 0.5);
+    let sides = [-1.0, 1.0].into_iter().flat_map(|side| {
+        let leaf = centers.iter().enumerate().rev();
+        leaf.map(move |(i, x)| [side * x, 0.0, course(i)])
+    });
+    let top = [0.0, 0.0, height * (f64::from(ARCH_COURSES) + 0.5)];
+    scene_of(sides.chain([top]).zip(0..).map(|(position, id)| nominal(id, position, 0.0)).collect())
 }
 
 /// A plank on a fixed ridge of 4 mm, with one block at 120 mm on one side and two at 60 mm on the
