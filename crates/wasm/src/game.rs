@@ -186,6 +186,16 @@ impl Game {
 }
 
 impl Game {
+    /// World of the game.
+    pub(crate) fn world(&self) -> &World {
+        self.game.world()
+    }
+
+    /// Body in the hand.
+    pub(crate) fn held(&self) -> Option<BodyId> {
+        self.world().bodies().find(|&body| self.game.hold_grip(body).is_some())
+    }
+
     fn check(&self, body: u32) -> Result<BodyId, Error> {
         let count = self.length();
         let unknown = || Error::rejected(format!("there is no body {body}: the world has {count}"));
