@@ -1,14 +1,25 @@
 import { defineConfig } from 'vitest/config';
+import { SERVICE_WORKER, serviceWorkerFiles } from './service-worker-files.ts';
 
 export default defineConfig({
   // Relative addresses: the page is served from any folder, by any server.
   base: './',
+  plugins: [serviceWorkerFiles(new URL('public', import.meta.url).pathname)],
   worker: { format: 'es' },
   build: {
     target: 'es2022',
     chunkSizeWarningLimit: 900,
     assetsInlineLimit: 0,
-    rolldownOptions: { input: ['index.html', 'museum.html'] },
+    rolldownOptions: {
+      input: {
+        index: 'index.html',
+        museum: 'museum.html',
+        'service-worker': 'src/offline/service-worker.ts',
+      },
+      output: {
+        entryFileNames: ({ name }) => (name === 'service-worker' ? SERVICE_WORKER : 'assets/[name]-[hash].js'),
+      },
+    },
   },
   server: { host: '127.0.0.1' },
   preview: { host: '127.0.0.1' },

@@ -6,6 +6,7 @@ import { sameSlot, type Contact, type Form } from '../engine/game-protocol';
 import type { Constant, StateHash } from '../engine/protocol';
 import type { Hand } from '../hand/hand';
 import type { Pointers } from '../hand/pointers';
+import type { Sound } from '../sound/sound';
 import type { Labels } from '../xray/labels';
 import type { Stage } from './stage';
 import type { PageStore } from './state';
@@ -38,11 +39,18 @@ export interface Inspect {
    * visible figures.
    */
   readonly xray: { on: boolean; pulls: (number | null)[] | null; loads: number[] | null; shown: number };
+  /**
+   * State of the audio output, `none` until the first gesture, then that of its context; and number
+   * of knocks so far.
+   */
+  readonly sound: { state: string; knocks: number };
   /** Seven numbers per body: position (m), orientation (x, y, z, w). */
   readonly poses: number[];
   /** Three numbers per body, m. */
   readonly sizes: number[];
   readonly camera: { azimuth: number; elevation: number; position: number[] };
+  /** Block that was touched or chosen last. */
+  readonly selected: number | null;
   /** The hand that holds a block. */
   readonly hand: {
     body: number;
@@ -90,6 +98,7 @@ export interface Inspected {
   pointers: Pointers;
   labels: Labels;
   client: Client;
+  sound: Sound;
 }
 
 type Methods = 'hash' | 'hashes' | 'contacts' | 'screenOf' | 'project' | 'blockAt';
@@ -137,6 +146,7 @@ function gameGetters({ store, stage, hand }: Inspected) {
     poses: () => Array.from(stage.bodies?.newest ?? []),
     sizes: () => Array.from(stage.bodies?.sizes ?? []),
     quarantined: () => frame()?.update.quarantined ?? [],
+    selected: () => store.state.selected,
     hand: () => handFields(hand),
     slots: () => hand.slots.map(slot => slot.position as number[]),
   };
@@ -156,11 +166,12 @@ function handFields(hand: Hand): Inspect['hand'] {
   };
 }
 
-function viewGetters({ store, stage, labels, client }: Inspected) {
+function viewGetters({ store, stage, labels, client, sound }: Inspected) {
   const { orbit, view } = stage;
   return {
     fps: () => stage.fps,
     quality: () => stage.quality.tier.name,
+    sound: () => sound.played,
     view: () => ({ springs: store.state.overlay === 'springs', shown: view.springsShown, scale: stage.forces.end }),
     xray: () => ({
       on: store.state.overlay === 'xray',

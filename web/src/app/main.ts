@@ -3,18 +3,21 @@
 import { text } from '../messages';
 import { fillDocument } from '../messages/fill';
 import { modeOf } from '../modes';
+import { Gallery } from '../ui/gallery';
 import { HelpDialog } from '../ui/help-dialog';
 import { Notice, showTrouble } from '../ui/notice';
 import { Readouts } from '../ui/readouts';
 import { SettingsPanel } from '../ui/settings-panel';
+import { SoundControls } from '../ui/sound-controls';
 import { SpringsLegend } from '../ui/springs-legend';
 import { Toolbar } from '../ui/toolbar';
+import { offerVersions } from '../ui/version-offer';
 import { Labels } from '../xray/labels';
 import { XRayOverlay } from '../xray/overlay';
 import { Pointers } from '../hand/pointers';
+import { connectDevices } from './devices';
 import { createInspect } from './inspect';
 import { Play } from './play';
-import { listenToKeys } from './shortcuts';
 import { followColourScheme, Stage } from './stage';
 import { initialPage } from './state';
 import { Store } from './store';
@@ -32,27 +35,23 @@ function start(): void {
   followColourScheme(store);
 
   const mode = modeOf(options.mode);
-  const play = new Play(store, stage, mode, new Notice(), xray => stage.bodies && overlay.receive(xray, stage.bodies));
+  const notice = new Notice();
+  const play = new Play(store, stage, mode, notice, xray => stage.bodies && overlay.receive(xray, stage.bodies));
   const { hand } = play;
   const labels = new Labels();
   const overlay = new XRayOverlay(store, hand, stage.view, labels);
   const frame = () => stage.frame();
   const pointers = new Pointers(stage.canvas, store, hand, stage.orbit, { bodies: () => stage.bodies, frame });
 
-  const help = new HelpDialog(store, options);
+  new HelpDialog(store, options);
   new SettingsPanel(store, play, options);
+  new SoundControls(store);
+  new Gallery(play);
   const toolbar = new Toolbar(store, play);
   const readouts = new Readouts(store, stage, mode);
   const toggleSprings = () => store.set({ overlay: store.state.overlay === 'springs' ? 'none' : 'springs' });
   const springs = new SpringsLegend(toggleSprings, () => play.setForm('lattice'));
-  listenToKeys(store, hand, stage.orbit, {
-    pause: () => play.togglePause(),
-    frame,
-    springs: toggleSprings,
-    xray: () => store.set({ overlay: store.state.overlay === 'xray' ? 'none' : 'xray' }),
-    help: () => store.set({ helpOpen: true }),
-    busy: () => help.open || isControl(document.activeElement),
-  });
+  const pads = connectDevices(store, stage, play);
   const showLegends = () => {
     springs.show(store.state.overlay === 'springs', store.state.form.value === 'lattice' ? stage.forces.end : null);
     overlay.showLegend();
@@ -60,10 +59,14 @@ function start(): void {
   store.subscribe(['overlay'], showLegends);
 
   play.start(options);
+  offerVersions(store, notice);
   stage.run(hand, {
     springs: () => store.state.overlay === 'springs',
     holders: () => hand.holders()?.bodies ?? [],
-    update: () => toolbar.showCarrying(hand.carries),
+    update(elapsed) {
+      toolbar.showCarrying(hand.carries);
+      pads.poll(elapsed);
+    },
     readout() {
       readouts.show();
       showLegends();
@@ -71,7 +74,7 @@ function start(): void {
     },
     follow: (moved, now) => labels.follow(stage.bodies!, stage.orbit, moved, now),
   });
-  window.teeter = createInspect({ store, stage, hand, pointers, labels, client: play.client });
+  window.teeter = createInspect({ store, stage, hand, pointers, labels, client: play.client, sound: play.sound });
 
   function createStage(): Stage | null {
     try {
@@ -80,11 +83,6 @@ function start(): void {
       return null;
     }
   }
-}
-
-/** Returns true for a control that takes keys. */
-function isControl(active: Element | null): boolean {
-  return active instanceof HTMLInputElement || active instanceof HTMLSelectElement;
 }
 
 start();

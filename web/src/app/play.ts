@@ -7,6 +7,7 @@ import type { Built, Frame, SceneEntry, XRay } from '../engine/protocol';
 import { Hand } from '../hand/hand';
 import { text } from '../messages';
 import type { Mode, ModeUi } from '../modes/mode';
+import { Sound } from '../sound/sound';
 import { showTrouble, type Notice } from '../ui/notice';
 import { Delays } from './delays';
 import { followGraphics } from './graphics';
@@ -23,6 +24,7 @@ const COVERED = ['tower', 'official'];
 export class Play {
   readonly client: Client;
   readonly hand: Hand;
+  readonly sound: Sound;
   private readonly slowMotion = new SlowMotion();
   private readonly delays: Delays;
   private readonly modeUi: ModeUi;
@@ -52,6 +54,7 @@ export class Play {
       },
     });
     this.hand = new Hand(this.client, store, stage.orbit, () => stage.bodies!);
+    this.sound = new Sound(store, point => stage.sideOf(point));
     this.modeUi = {
       notice: (line, seconds) => notice.show(line, seconds),
       contacts: body => this.client.ask({ what: 'contacts', body }),
@@ -69,8 +72,8 @@ export class Play {
     };
     store.subscribe(['paused'], pause);
     document.addEventListener('visibilitychange', pause);
-    store.subscribe(['overlay', 'selected'], ({ overlay, selected }) => {
-      client.watch({ springs: overlay === 'springs', xray: overlay === 'xray', selected });
+    store.subscribe(['overlay', 'selected', 'muted'], ({ overlay, selected, muted }) => {
+      client.watch({ springs: overlay === 'springs', xray: overlay === 'xray', sound: !muted, selected });
     });
     store.subscribe(['overlay'], () => this.stage.view.invalidate());
     store.subscribe(['world'], ({ world }) => {
@@ -149,6 +152,7 @@ export class Play {
     // The form changes only by a command; the device's choice then no longer counts.
     if (update.form !== store.state.form.value) store.set({ form: { value: update.form, chosen: false } });
     this.hand.receive(frame);
+    this.sound.receive(frame);
     for (const event of update.events) mode.onEvent(event, this.modeUi);
     for (const command of mode.commands?.(update) ?? []) this.client.command(command);
     if (this.slowMotion.begins(frame.factor)) this.notice.show(text.notices.slow(frame.factor));

@@ -12,6 +12,10 @@ export interface ShortcutActions {
   springs(): void;
   help?(): void;
   xray?(): void;
+  mute?(): void;
+  /** Returns what a key does for the hand. */
+  steer?(key: string): (() => void) | undefined;
+  escape?(): void;
   /** Returns true while keys belong to a control. */
   busy(): boolean;
 }
@@ -32,7 +36,7 @@ export function listenToKeys(store: PlayStore, hand: Hand, orbit: Orbit, actions
   window.addEventListener('keydown', event => {
     store.set({ careful: event.shiftKey });
     if (event.ctrlKey || event.metaKey || event.altKey) return;
-    if (event.key === 'Escape') return hand.letGo();
+    if (event.key === 'Escape') return actions.escape ? actions.escape() : hand.letGo();
     if (actions.busy()) return;
     // Space and Enter on a button press the button.
     if (event.target instanceof HTMLButtonElement && (event.key === ' ' || event.key === 'Enter')) return;
@@ -49,7 +53,7 @@ export function listenToKeys(store: PlayStore, hand: Hand, orbit: Orbit, actions
     const moving = hand.holds && !store.state.paused;
     if (key in GRIPS) return () => store.set({ grip: GRIPS[key] });
     if (key === ' ') return event.repeat ? () => undefined : actions.pause;
-    return game[key] ?? (moving ? (hand.carries ? carry[key] : undefined) : camera[key]);
+    return actions.steer?.(key) ?? game[key] ?? (moving ? (hand.carries ? carry[key] : undefined) : camera[key]);
   }
 }
 
@@ -65,6 +69,7 @@ function gameKeys(hand: Hand, actions: ShortcutActions): Bindings {
     ']': () => hand.turn(-FINE),
   };
   if (actions.xray) keys.x = actions.xray;
+  if (actions.mute) keys.m = actions.mute;
   if (actions.help) keys.h = keys['?'] = actions.help;
   return keys;
 }
@@ -87,5 +92,7 @@ function cameraKeys(orbit: Orbit): Bindings {
     '+': () => orbit.zoom(0.88),
     '=': () => orbit.zoom(0.88),
     '-': () => orbit.zoom(1 / 0.88),
+    a: () => orbit.turn(-0.12, 0),
+    d: () => orbit.turn(0.12, 0),
   };
 }

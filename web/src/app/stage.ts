@@ -1,8 +1,9 @@
 // The stage of a page: camera, picture of the tower, and the loop that draws it. The game and the
 // museum share it.
 
+import { Vector3 } from 'three';
 import type { Built, Frame } from '../engine/protocol';
-import { FRAME, type TimedReport } from '../engine/game-protocol';
+import { FRAME, type TimedReport, type Vec } from '../engine/game-protocol';
 import { Blend, Rate } from '../engine/pacing';
 import type { Hand } from '../hand/hand';
 import { ForceRing, ringState, type RingState } from '../ui/force-ring';
@@ -33,8 +34,8 @@ export interface Show {
   holders(): number[];
   /** Called four times a second. */
   readout(): void;
-  /** Called in every loop. */
-  update?(): void;
+  /** Called in every loop, `elapsed` seconds after the last. */
+  update?(elapsed: number): void;
   /** False pauses the loop. */
   visible?(): boolean;
   /** Changes the ring. */
@@ -113,6 +114,11 @@ export class Stage {
     if (this.zoom !== 1) this.orbit.zoom(this.zoom);
   }
 
+  /** Returns the position on the screen of a point in the world (m): -1 left to 1 right. */
+  sideOf(point: Vec): number {
+    return (2 * this.orbit.project(new Vector3(...point)).x) / this.canvas.clientWidth - 1;
+  }
+
   /** Draws the whole picture again, at its size. */
   redraw(): void {
     this.view.invalidate();
@@ -152,7 +158,7 @@ export class Stage {
       this.readAt = now;
       show.readout();
     }
-    show.update?.();
+    show.update?.(Math.min(elapsed, MAX_CAMERA_STEP));
     if (this.options.render === 'once' && now - this.drawnAt < 1) return;
     const followed = this.view.follow(this.bodies, change);
     show.follow?.(followed || moved, now);

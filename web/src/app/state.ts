@@ -2,7 +2,9 @@
 
 import type { Form, GripMode, TimedReport } from '../engine/game-protocol';
 import type { BlockPreset, Built, Constant, Frame, SceneEntry, Setup } from '../engine/protocol';
+import { recallSound } from '../sound/remembered';
 import type { Reading } from '../xray/readings';
+import { recall } from './memory';
 import type { Store } from './store';
 import type { Options } from './url';
 
@@ -58,6 +60,11 @@ export interface PageState extends PlayState<Frame> {
   form: Constant<Form>;
   panelOpen: boolean;
   helpOpen: boolean;
+  /** Volume of the sound, 0 to 1. */
+  volume: number;
+  muted: boolean;
+  /** True if the phone or the gamepad may vibrate. */
+  vibration: boolean;
 }
 
 export type PageStore = Store<PageState>;
@@ -95,6 +102,8 @@ export function initialPage(options: Options): PageState {
     form: { value: 'rigid', chosen: false },
     panelOpen: false,
     helpOpen: false,
+    ...recallSound(),
+    vibration: recall('vibration') !== 'false',
   };
 }
 

@@ -1,7 +1,7 @@
 // A game in wasm memory: commands in, updates and arrays out. It has no clock and no messages.
 
 import { LATTICE_STRIDE, maxDeformation, strains } from '../view/lattice';
-import { Game as WasmGame } from '../wasm/teeter_wasm.js';
+import { Game as WasmGame, Listener } from '../wasm/teeter_wasm.js';
 import { FRAME, POSE_STRIDE, type Contact, type Form } from './game-protocol';
 import type { GameCommand, Update } from './game-protocol';
 import { particleOffset } from './scene';
@@ -16,6 +16,7 @@ export class Game {
   readonly particleOffset: number;
   private readonly game: WasmGame;
   private readonly edges: Float32Array;
+  private listener: Listener | null = null;
 
   /** Throws an Error whose message is for the user. */
   constructor(
@@ -30,6 +31,7 @@ export class Game {
   }
 
   free(): void {
+    this.listener?.free();
     this.game.free();
   }
 
@@ -76,6 +78,13 @@ export class Game {
   /** Load and breakaway force of each body, two numbers per body as in xray/readings.ts. */
   xray(): Float32Array {
     return Float32Array.from(this.game.xray());
+  }
+
+  /** Sounds of the last frame as in sound/sounds.ts; none of the first one that is listened to. */
+  sounds(): Float32Array {
+    if (this.listener) return this.listener.hear(this.game);
+    this.listener = new Listener(this.game);
+    return new Float32Array();
   }
 
   hash(): string {

@@ -48,6 +48,8 @@ export interface Frame<R extends TimedReport = StepReport> {
    * visible.
    */
   lattices: Float32Array | null;
+  /** Sounds as in sound/sounds.ts; null where nobody listens. */
+  sounds: Float32Array | null;
   /** True if the selected block could be placed on top. */
   placeable: boolean;
   /** Simulated time per wall time over the last second. */
@@ -102,6 +104,7 @@ export type Answer<Q extends Question> = Q extends { what: 'hash' }
 export interface Watched {
   springs: boolean;
   xray: boolean;
+  sound: boolean;
   /** Selected block, of which the page asks whether it could be placed. */
   selected: number | null;
 }

@@ -19,7 +19,7 @@ let memory: WebAssembly.Memory;
 let game: Game | null = null;
 let world = 0;
 let paused = false;
-let watched: Watched = { springs: false, xray: false, selected: null };
+let watched: Watched = { springs: false, xray: false, sound: false, selected: null };
 /** Hashes that are recorded to answer a question. */
 let recordings: { id: number; until: number; states: StateHash[] }[] = [];
 /** Update of the last step of the world. */
@@ -65,6 +65,7 @@ function sendXRay(game: Game): void {
 function sendFrame(game: Game, update: Update): void {
   const poses = game.poses();
   const lattices = game.lattices(watched.springs);
+  const sounds = watched.sound ? game.sounds() : null;
   send(
     {
       type: 'frame',
@@ -73,6 +74,7 @@ function sendFrame(game: Game, update: Update): void {
       applied: commands.applied,
       poses,
       lattices,
+      sounds,
       placeable: watched.selected !== null && game.canPlace(watched.selected),
       factor: speedometer.factor(),
       capacity: speedometer.capacity(),

@@ -117,12 +117,23 @@ export class Hand {
 
   /** Moves a carried block away from the viewer, m. */
   moveAway(distance: number): void {
-    if (!this.paused) this.enter(this.state.moveAway?.(distance));
+    if (this.held?.grip === 'carry')
+      this.shift(this.context.orbit.forward().setZ(0).normalize().multiplyScalar(distance));
+  }
+
+  /** Moves the block in the world, m; one in the tower only along its axes. */
+  shift(displacement: Vector3): void {
+    if (!this.paused) this.enter(this.state.shift?.(displacement));
   }
 
   /** The pointer left the block; `tap`: it came and went without moving. */
   release(tap: boolean): void {
     if (!this.paused) this.enter(this.state.release?.(tap));
+  }
+
+  /** Limits the force of the hand, N, until the setting changes. */
+  limitForce(max_force: number): void {
+    this.sink.command({ command: 'set_hand', max_force });
   }
 
   /** Turns a carried block about the vertical, rad. */

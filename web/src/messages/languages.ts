@@ -1,14 +1,12 @@
 // The languages of the pages, and the choice of one. A further language is a file with the keys of
 // en.ts and a line in this list.
 
+import { recall, remember } from '../app/memory';
 import { de } from './de';
 import { en, type Messages } from './en';
 
 /** Texts by language (BCP 47), the default first. */
 export const LANGUAGES: Readonly<Record<string, Messages>> = { en, de };
-
-/** Key of the player's choice in the storage of the browser. */
-const CHOICE = 'teeter.language';
 
 /**
  * Returns the language for a page: that of the address (`lang`), else the player's choice, else the
@@ -23,24 +21,16 @@ export function languageFor(search: string, choice: string | null, preferred: re
   return 'en';
 }
 
-/** Returns the player's choice; null where there is none, or storage is forbidden. */
+/** Returns the player's choice, or null. */
 export function chosenLanguage(): string | null {
-  try {
-    return localStorage.getItem(CHOICE);
-  } catch {
-    return null;
-  }
+  return recall('language');
 }
 
 /** Loads the page again in a language, and keeps the choice for later visits. */
 export function chooseLanguage(language: string): void {
   const address = new URL(location.href);
   address.searchParams.delete('lang');
-  try {
-    localStorage.setItem(CHOICE, language);
-  } catch {
-    // Where nothing can be stored, the address keeps the choice.
-    address.searchParams.set('lang', language);
-  }
+  // Where nothing can be remembered, the address keeps the choice.
+  if (!remember('language', language)) address.searchParams.set('lang', language);
   location.replace(address);
 }

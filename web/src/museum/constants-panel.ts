@@ -42,7 +42,7 @@ export class ConstantsPanel {
     const list = element('constants-list');
     list.replaceChildren();
     for (const section of new Set(rest.map(entry => entry.section))) {
-      const heading = document.createElement('h4');
+      const heading = document.createElement('h3');
       heading.textContent = section;
       const group = document.createElement('div');
       group.append(heading, ...rest.filter(e => e.section === section).map(e => this.row(e, nameOf(e))));

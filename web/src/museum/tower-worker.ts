@@ -81,6 +81,7 @@ function sendFrame(update: Update<TimedReport>, report: Report2003 | null): void
     update,
     applied: commands.applied,
     ...wood,
+    sounds: null,
     placeable: selected !== null && shown.canPlace(selected),
     factor: speed.all.factor(),
     capacity: speed.all.capacity(),

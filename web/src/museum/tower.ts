@@ -143,7 +143,7 @@ export class Tower {
     document.addEventListener('visibilitychange', pause);
     store.subscribe(['selected', 'oldHand'], ({ selected, oldHand }) => {
       // The hand of 2003 has no slots to place a block in.
-      client.watch({ springs: true, xray: false, selected: oldHand ? null : selected });
+      client.watch({ springs: true, xray: false, sound: false, selected: oldHand ? null : selected });
     });
     store.subscribe(['paused'], ({ paused }) => {
       if (!paused && this.oldHand.holds) this.oldPointers.resume();

@@ -1,10 +1,9 @@
 // The help, which opens by itself on the first visit.
 
+import { recall, remember } from '../app/memory';
 import type { PageStore } from '../app/state';
 import type { Options } from '../app/url';
 import { element, onClick } from './dom';
-
-const SEEN = 'teeter.help';
 
 export class HelpDialog {
   private readonly dialog = element<HTMLDialogElement>('help');
@@ -15,30 +14,9 @@ export class HelpDialog {
     });
     this.dialog.addEventListener('close', () => {
       store.set({ helpOpen: false });
-      remember();
+      remember('help', 'seen');
     });
     onClick('help-open', () => store.set({ helpOpen: true }));
-    if (options.help && !wasSeen()) store.set({ helpOpen: true });
-  }
-
-  get open(): boolean {
-    return this.dialog.open;
-  }
-}
-
-// Storage may be forbidden; the help then opens on every visit.
-function wasSeen(): boolean {
-  try {
-    return localStorage.getItem(SEEN) !== null;
-  } catch {
-    return false;
-  }
-}
-
-function remember(): void {
-  try {
-    localStorage.setItem(SEEN, 'seen');
-  } catch {
-    // Only the next visit depends on it.
+    if (options.help && recall('help') === null) store.set({ helpOpen: true });
   }
 }

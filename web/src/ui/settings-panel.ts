@@ -1,11 +1,13 @@
 // The panel of settings. Its controls show the store, and change it.
 
+import { remember } from '../app/memory';
 import type { Play } from '../app/play';
 import type { PageState, PageStore, Settings } from '../app/state';
 import { MAX_FORCE, ROWS, SEED, type Options } from '../app/url';
 import { STIFFNESSES } from '../engine/device';
 import type { Form } from '../engine/game-protocol';
 import type { BlockPreset, SceneEntry } from '../engine/protocol';
+import { canVibrate } from '../hand/haptics';
 import { language, text } from '../messages';
 import { chooseLanguage, LANGUAGES } from '../messages/languages';
 import { capitalized, element, onClick, setText } from './dom';
@@ -53,6 +55,7 @@ export class SettingsPanel {
     this.listenToTower();
     this.listenToBlocks();
     this.listenToPanel();
+    this.listenToVibration();
   }
 
   private listenToTower(): void {
@@ -87,6 +90,19 @@ export class SettingsPanel {
     };
     this.toggle.addEventListener('click', () => open(!store.state.panelOpen));
     onClick('panel-close', () => open(false));
+  }
+
+  private listenToVibration(): void {
+    const { store } = this;
+    const input = element<HTMLInputElement>('vibration');
+    const show = () => (element('vibration-field').hidden = false);
+    if (canVibrate()) show();
+    window.addEventListener('gamepadconnected', show);
+    input.addEventListener('change', () => store.set({ vibration: input.checked }));
+    store.subscribe(['vibration'], ({ vibration }) => {
+      input.checked = vibration;
+      remember('vibration', String(vibration));
+    });
   }
 
   private showSettings({ scene, rows, seed, block, sleep, stiffness, form }: Settings): void {

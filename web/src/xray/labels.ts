@@ -3,8 +3,8 @@
 
 import { Vector3 } from 'three';
 import type { Bodies } from '../view/bodies';
+import { visibleFace } from '../view/faces';
 import type { Orbit } from '../view/orbit';
-import { pick } from '../view/picking';
 
 export interface Label {
   text: string;
@@ -21,27 +21,10 @@ const FILL = 0.68;
 const CHARACTER_WIDTH = 0.64;
 /** Width of the frame of a marked label, px. */
 const FRAME = 5;
-/** Smallest cosine between a face's normal and the direction to the eye. */
-const FACING = 0.12;
-/** Tolerance within which a ray from the eye hits a face, m. */
-const AT_FACE = 0.002;
 /**
  * Time between two searches for visible faces, s: positions on the screen follow in every picture.
  */
 const SEARCH_INTERVAL = 0.1;
-
-/**
- * Faces in order of preference: ends, which are visible while a block is in the tower, then the
- * others.
- */
-const FACES: [axis: 0 | 1 | 2, side: 1 | -1][] = [
-  [0, 1],
-  [0, -1],
-  [1, 1],
-  [1, -1],
-  [2, 1],
-  [2, -1],
-];
 
 /** A labelled face in the block's frame: its middle, and half its edges across and up, m. */
 interface Face {
@@ -88,7 +71,7 @@ export class Labels {
     if (now - this.searchedAt > SEARCH_INTERVAL) {
       this.searchedAt = now;
       this.stale = false;
-      this.faces = this.labels.map((label, body) => (label ? visibleFace(bodies, orbit, body) : null));
+      this.faces = this.labels.map((label, body) => (label ? labelledFace(bodies, orbit, body) : null));
     }
     this.shown = this.cramped = 0;
     this.faces.forEach((face, body) => this.show(face, body, bodies, orbit));
@@ -123,24 +106,14 @@ export class Labels {
   }
 }
 
-/** Returns the first visible face of a block, or null. */
-function visibleFace(bodies: Bodies, orbit: Orbit, body: number): Face | null {
-  const eye = orbit.camera.position;
+/** Returns the face of a block that takes its label, or null. */
+function labelledFace(bodies: Bodies, orbit: Orbit, body: number): Face | null {
+  const face = visibleFace(bodies, orbit, body);
+  if (!face) return null;
   const half = bodies.size(body).multiplyScalar(0.5);
-  for (const [axis, side] of FACES) {
-    const edge = (k: number) => new Vector3().setComponent(k, half.getComponent(k));
-    const middle = edge(axis).multiplyScalar(side);
-    const sight = bodies.surface(body, middle).sub(eye);
-    const distance = sight.length();
-    sight.divideScalar(distance);
-    const normal = new Vector3().setComponent(axis, side).applyQuaternion(bodies.rotation(body));
-    if (normal.dot(sight) > -FACING) continue;
-    const hit = pick(bodies, eye, sight);
-    if (hit?.body !== body || Math.abs(hit.distance - distance) > AT_FACE) continue;
-    // Up is the vertical edge of an upright face, and the shorter edge of a level one.
-    const others = [0, 1, 2].filter(k => k !== axis);
-    const [across, up] = half.getComponent(others[0]) > half.getComponent(others[1]) ? others : [others[1], others[0]];
-    return { middle, across: edge(across), up: edge(up) };
-  }
-  return null;
+  const edge = (k: number) => new Vector3().setComponent(k, half.getComponent(k));
+  // Up is the vertical edge of an upright face, and the shorter edge of a level one.
+  const others = [0, 1, 2].filter(k => k !== face.axis);
+  const [across, up] = half.getComponent(others[0]) > half.getComponent(others[1]) ? others : [others[1], others[0]];
+  return { middle: face.middle, across: edge(across), up: edge(up) };
 }

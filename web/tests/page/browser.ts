@@ -7,7 +7,7 @@ import { fileURLToPath } from 'node:url';
 import { chromium, type Browser, type BrowserContextOptions, type Page } from 'playwright-core';
 import { preview, type PreviewServer } from 'vite';
 
-const ROOT = fileURLToPath(new URL('../..', import.meta.url));
+export const ROOT = fileURLToPath(new URL('../..', import.meta.url));
 const EXECUTABLES = ['/usr/bin/chromium', '/usr/bin/chromium-browser', '/usr/bin/google-chrome'];
 const FLAGS = [
   '--no-sandbox',
@@ -47,7 +47,10 @@ export class Session {
     page.on('requestfailed', request => this.complaints.push(`request failed: ${request.url()}`));
   }
 
-  /** Opens the page. `before` runs ahead of it; `ready: false` does not wait for it. */
+  /**
+   * Opens the page. `before` runs ahead of it; `ready: false` does not wait for it, `offline: true`
+   * lets it keep its files.
+   */
   static async open(
     host: Host,
     query: string,
@@ -55,16 +58,23 @@ export class Session {
       before,
       path = '',
       ready = true,
+      offline = false,
       ...options
     }: BrowserContextOptions & {
       before?: (page: Page) => Promise<unknown> | void;
       path?: string;
       ready?: boolean;
+      offline?: boolean;
     } = {},
   ): Promise<Session> {
-    const context = await host.browser.newContext({ viewport: { width: 900, height: 700 }, ...options });
+    const context = await host.browser.newContext({
+      viewport: { width: 900, height: 700 },
+      ...options,
+    });
     context.setDefaultTimeout(TIMEOUT);
     const session = new Session(await context.newPage(), () => context.close());
+    // Most tests change what the page loads, which a service worker would hide from them.
+    if (!offline) await session.page.addInitScript('delete Navigator.prototype.serviceWorker');
     await before?.(session.page);
     await session.page.goto(`${host.address}${path}?${query}`);
     if (ready) await session.page.waitForFunction(() => window.teeter?.ready);
@@ -119,13 +129,14 @@ export interface Host {
   stop(): Promise<void>;
 }
 
-export async function host(): Promise<Host> {
+/** Serves a built page, in the folder `dist` of `root`, to a browser. */
+export async function host(root = ROOT): Promise<Host> {
   const executablePath = process.env.CHROMIUM ?? EXECUTABLES.find(existsSync);
   if (!executablePath)
     throw new Error('no Chromium: install the package chromium, or name one in the variable CHROMIUM');
   if (!existsSync(`${ROOT}/dist/index.html`)) throw new Error('the page is not built: npm run build');
   const server: PreviewServer = await preview({
-    root: ROOT,
+    root,
     configFile: false,
     base: './',
     logLevel: 'silent',

@@ -465,6 +465,24 @@ test('controls: a new seed, fewer rows, another scene, reset', async () => {
   expect(session.complaints).toEqual([]);
 });
 
+test('a scene of the gallery is built, and every picture is there', async () => {
+  await using session = await Session.open(chrome, `${SMALL}&rows=3&render=once`);
+  const { page } = session;
+  await page.click('#settings');
+  await page.click('#gallery-open');
+  const pictures = page.locator('#gallery img');
+  await expect
+    .poll(() => pictures.evaluateAll(all => all.map(i => (i as HTMLImageElement).naturalWidth)))
+    .toEqual(Array.from({ length: 12 }, () => 384));
+  await session.rebuild(() => page.click('#gallery button:has(img[src*="arch"])'));
+  expect(await page.evaluate(() => window.teeter.count)).toBe(13);
+  expect(await page.inputValue('#scene')).toBe('arch');
+  expect(await page.locator('#gallery').isVisible()).toBe(false);
+  await session.simulate(2);
+  expect(await page.evaluate(() => window.teeter.state)).toBe('standing');
+  expect(session.complaints).toEqual([]);
+});
+
 test('a page without WebGL or without the engine says so in words', async () => {
   const trouble = async (before: (page: Page) => Promise<unknown> | void) => {
     await using session = await Session.open(chrome, SMALL, { before, ready: false });

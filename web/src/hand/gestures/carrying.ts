@@ -3,7 +3,7 @@
 import { Vector3 } from 'three';
 import { sameSlot } from '../../engine/game-protocol';
 import { SlotMagnet } from '../slot-magnet';
-import { follow, gestureOf, letGo, move, moveAwayBy, type GestureFactory } from './gesture';
+import { follow, gestureOf, letGo, move, shiftBy, type GestureFactory } from './gesture';
 
 export const carrying: GestureFactory = (context, grasp) => {
   const magnet = new SlotMagnet();
@@ -13,8 +13,8 @@ export const carrying: GestureFactory = (context, grasp) => {
       if (context.hand) follow(context, grasp, context.hand, by, magnet.slot);
       return null;
     },
-    moveAway(distance) {
-      moveAwayBy(context, grasp, distance, magnet.slot);
+    shift(displacement) {
+      shiftBy(context, grasp, displacement, magnet.slot);
       return null;
     },
     release(tap) {

@@ -31,8 +31,8 @@ export interface GestureState {
   readonly name: GestureName;
   /** The pointer moved, px. */
   drag?(drag: ScreenVector): Transition;
-  /** The block is moved away from the viewer, m. */
-  moveAway?(distance: number): Transition;
+  /** The block is moved in the world, m. */
+  shift?(displacement: Vector3): Transition;
   /** The pointer left the block; `tap`: it came and went without moving. */
   release?(tap: boolean): Transition;
   /** The hand has been updated. */
@@ -66,9 +66,13 @@ export function follow(
   return displacement;
 }
 
-/** Moves a carried block away from the viewer by `distance`, m. */
-export function moveAwayBy(context: GestureContext, grasp: Grasp, distance: number, slot: SlotId | null = null): void {
-  const displacement = context.orbit.forward().setZ(0).normalize().multiplyScalar(distance);
+/** Moves the block by a displacement in the world, m. */
+export function shiftBy(
+  context: GestureContext,
+  grasp: Grasp,
+  displacement: Vector3,
+  slot: SlotId | null = null,
+): void {
   grasp.displacement.add(displacement);
   move(context, displacement, slot);
 }

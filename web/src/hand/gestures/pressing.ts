@@ -1,6 +1,6 @@
 // A block has been grasped and hardly moved: a tap becomes a poke, a drag moves the block.
 
-import { follow, gestureOf, letGo, moveAwayBy, type GestureFactory, type Transition } from './gesture';
+import { follow, gestureOf, letGo, shiftBy, type GestureFactory, type Transition } from './gesture';
 import type { ScreenVector } from '../screen-to-world';
 
 /** Displacement from which the block is moved, m: the game pokes none that has gone so far. */
@@ -22,10 +22,10 @@ export const pressing: GestureFactory = (context, grasp) => {
   return {
     name: 'pressing',
     drag,
-    moveAway(distance) {
-      if (context.hand?.grip !== 'carry') return null;
-      moveAwayBy(context, grasp, distance);
-      return 'carrying';
+    shift(displacement) {
+      if (!context.hand) return null;
+      shiftBy(context, grasp, displacement);
+      return grasp.displacement.length() < MOVED ? null : gestureOf(context.hand.grip);
     },
     release(tap) {
       if (!tap) return letGo(context);

@@ -1,0 +1,123 @@
+// The pages for everybody: axe-core finds nothing, by light and dark, in every dialog and view; the
+// focus has an order; and a system that asks for less motion or more contrast gets it.
+
+import { readFileSync } from 'node:fs';
+import { createRequire } from 'node:module';
+import type axe from 'axe-core';
+import type { Page } from 'playwright-core';
+import { afterAll, beforeAll, expect, test } from 'vitest';
+import { host, Session, SMALL, type Host } from './browser';
+
+declare global {
+  interface Window {
+    axe: typeof axe;
+  }
+}
+
+const AXE = readFileSync(createRequire(import.meta.url).resolve('axe-core/axe.min.js'), 'utf8');
+
+let chrome: Host;
+beforeAll(async () => {
+  chrome = await host();
+});
+afterAll(() => chrome?.stop());
+
+/** Findings of axe-core on a page, one line each. */
+async function findings(page: Page): Promise<string[]> {
+  if (!(await page.evaluate(() => 'axe' in window))) await page.evaluate(AXE);
+  return page.evaluate(async () => {
+    const { violations } = await window.axe.run();
+    return violations.flatMap(({ id, nodes }) =>
+      nodes.map(({ target, any }) => `${id}: ${target.join(' ')} ${any[0]?.message ?? ''}`),
+    );
+  });
+}
+
+test.each(['light', 'dark'] as const)('axe-core finds nothing on the page by %s', async colorScheme => {
+  await using session = await Session.open(chrome, 'quality=low&scale=0.2&form=lattice&rows=4&render=once', {
+    colorScheme,
+  });
+  const { page } = session;
+  await page.waitForSelector('#help[open]');
+  for (const summary of await page.locator('#help summary').all()) await summary.click();
+  expect(await findings(page), 'in the help').toEqual([]);
+  await page.click('#help-close');
+  expect(await findings(page), 'in play').toEqual([]);
+  await page.click('#settings');
+  expect(await findings(page), 'in the settings').toEqual([]);
+  await page.click('#gallery-open');
+  await page.waitForFunction(() => document.querySelectorAll('#gallery img').length === 12);
+  expect(await findings(page), 'in the gallery').toEqual([]);
+  await page.click('#gallery-close');
+  await page.click('#panel-close');
+  await page.click('#springs-toggle');
+  await page.waitForSelector('#scale:not([hidden])');
+  expect(await findings(page), 'with the springs').toEqual([]);
+  await page.click('#xray-toggle');
+  await page.waitForFunction(() => window.teeter.xray.pulls !== null);
+  expect(await findings(page), 'with the X-ray').toEqual([]);
+  await page.focus('#picture');
+  await page.keyboard.press('Enter');
+  await page.keyboard.press('Enter');
+  await page.waitForFunction(() => window.teeter.hand !== null);
+  expect(await findings(page), 'with a block in the hand').toEqual([]);
+});
+
+test.each(['light', 'dark'] as const)('axe-core finds nothing in the museum by %s', async colorScheme => {
+  await using session = await Session.open(chrome, 'quality=low&scale=0.2&rows=3&render=once', {
+    colorScheme,
+    path: 'museum.html',
+    ready: false,
+  });
+  const { page } = session;
+  await page.waitForFunction(() => window.museum?.tower?.ready);
+  await page.click('#constants summary');
+  expect(await findings(page)).toEqual([]);
+});
+
+test('the focus goes through the page in its order, and is seen', async () => {
+  await using session = await Session.open(chrome, `${SMALL}&rows=3&render=once`);
+  const { page } = session;
+  const order: string[] = [];
+  for (let i = 0; i < 12; i++) {
+    await page.keyboard.press('Tab');
+    const { name, seen } = await page.evaluate(() => {
+      const active = document.activeElement as HTMLElement;
+      const { outlineStyle, boxShadow } = getComputedStyle(active);
+      const name = active.id || active.dataset.grip || active.tagName;
+      return { name, seen: outlineStyle !== 'none' || boxShadow !== 'none' };
+    });
+    expect(seen, `the focus on ${name} is seen`).toBe(true);
+    order.push(name);
+    if (name === 'settings') break;
+  }
+  expect(order).toEqual(['picture', 'springs-toggle', 'xray-toggle', 'mute', 'auto', 'pause', 'reset', 'settings']);
+});
+
+test('less motion means no transitions, and more contrast no soft text', async () => {
+  await using session = await Session.open(chrome, `${SMALL}&rows=3&render=once`, {
+    reducedMotion: 'reduce',
+    contrast: 'more',
+  });
+  const styles = await session.page.evaluate(() => ({
+    transition: getComputedStyle(document.getElementById('notice')!).transitionDuration,
+    soft: getComputedStyle(document.getElementById('state')!).color,
+    ink: getComputedStyle(document.body).color,
+  }));
+  expect(styles.transition).toBe('0s');
+  expect(styles.soft).toBe(styles.ink);
+});
+
+test('with forced colours what is chosen and what is pressed is still seen', async () => {
+  await using session = await Session.open(chrome, `${SMALL}&rows=3&render=once`, { forcedColors: 'active' });
+  const { page } = session;
+  const colours = (selector: string) =>
+    page.evaluate(s => {
+      const { backgroundColor, color } = getComputedStyle(document.querySelector(s)!);
+      return `${backgroundColor} ${color}`;
+    }, selector);
+  expect(await colours('[data-grip="auto"]')).not.toBe(await colours('[data-grip="slide"]'));
+  const before = await colours('#mute');
+  await page.click('#mute');
+  expect(await colours('#mute')).not.toBe(before);
+});
