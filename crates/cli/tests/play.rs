@@ -92,6 +92,8 @@ mod served {
                 Some("js") => "text/javascript; charset=utf-8",
                 Some("css") => "text/css; charset=utf-8",
                 Some("wasm") => "application/wasm",
+                Some("webmanifest") => "application/manifest+json",
+                Some("webp") => "image/webp",
                 _ => continue,
             };
             kinds.push(kind);
@@ -99,7 +101,14 @@ mod served {
             let cache = if path.starts_with("/assets/") { "public, max-age=31536000, immutable" } else { "no-cache" };
             assert!(headers.contains(&format!("cache-control: {cache}")), "{path}: {headers:?}");
         }
-        for kind in ["text/html; charset=utf-8", "text/javascript; charset=utf-8", "application/wasm"] {
+        let needed = [
+            "text/html; charset=utf-8",
+            "text/javascript; charset=utf-8",
+            "application/wasm",
+            "application/manifest+json",
+            "image/webp",
+        ];
+        for kind in needed {
             assert!(kinds.contains(&kind), "the page has no {kind}");
         }
     }

@@ -72,7 +72,8 @@ export class Play {
     };
     store.subscribe(['paused'], pause);
     document.addEventListener('visibilitychange', pause);
-    store.subscribe(['overlay', 'selected', 'muted'], ({ overlay, selected, muted }) => {
+    // Before its first world the worker may not listen yet.
+    store.subscribe(['world', 'overlay', 'selected', 'muted'], ({ overlay, selected, muted }) => {
       client.watch({ springs: overlay === 'springs', xray: overlay === 'xray', sound: !muted, selected });
     });
     store.subscribe(['overlay'], () => this.stage.view.invalidate());

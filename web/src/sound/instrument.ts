@@ -1,7 +1,7 @@
 // The instrument: a graph of Web Audio that plays knocks, and scrapes, creaks and rumbles without
 // end whose gains follow the tower.
 
-import { creak, knock, roughness } from './waves';
+import type { Waves } from './waves';
 
 /** Time constant with which a gain follows, s: long enough not to click, shorter than a frame. */
 const FOLLOW = 0.012;
@@ -27,16 +27,17 @@ export class Instrument {
   constructor(
     private readonly context: BaseAudioContext,
     volume: number,
+    waves: Waves,
   ) {
     // Many knocks at once are compressed, not clipped.
     const limiter = new DynamicsCompressorNode(context, { threshold: -14, ratio: 8, attack: 0.002, release: 0.12 });
     this.output = new GainNode(context, { gain: volume });
     this.output.connect(limiter).connect(context.destination);
-    this.knocks = this.buffer(knock);
-    const noise = this.buffer(roughness);
+    this.knocks = this.buffer(waves.knock);
+    const noise = this.buffer(waves.roughness);
     this.scrapes = this.steady(noise, { type: 'bandpass', frequency: 1500, Q: 0.9 });
     this.rumbles = this.steady(noise, { type: 'lowpass', frequency: 260, Q: 0.7 });
-    this.creaks = this.steady(this.buffer(creak), { type: 'bandpass', frequency: 900, Q: 0.8 });
+    this.creaks = this.steady(this.buffer(waves.creak), { type: 'bandpass', frequency: 900, Q: 0.8 });
   }
 
   setVolume(volume: number): void {
@@ -70,8 +71,7 @@ export class Instrument {
     this.rumbles.gain.gain.setTargetAtTime(PART.rumble * gain, at, gain > 0 ? FOLLOW : FADE);
   }
 
-  private buffer(wave: (rate: number) => Float32Array<ArrayBuffer>): AudioBuffer {
-    const samples = wave(this.context.sampleRate);
+  private buffer(samples: Float32Array<ArrayBuffer>): AudioBuffer {
     const buffer = new AudioBuffer({ length: samples.length, sampleRate: this.context.sampleRate });
     buffer.copyToChannel(samples, 0);
     return buffer;

@@ -8,6 +8,7 @@ import { Instrument } from './instrument';
 import { creakGain, knockGain, pitchOf, rumbleGain, scrapeBand, scrapeGain } from './levels';
 import { readSounds, type FrameSounds } from './sounds';
 import { Voices } from './voices';
+import type { Waves } from './waves';
 
 /** Most of a sound that comes from one side, 0 to 1. */
 const SIDE = 0.6;
@@ -85,12 +86,28 @@ export class Sound {
 
   /** Browsers let a page be heard only after a gesture. */
   private unlock(): void {
-    const { muted, volume } = this.store.state;
-    if (muted || typeof AudioContext === 'undefined' || !navigator.userActivation?.hasBeenActive) return;
+    if (this.store.state.muted || typeof AudioContext === 'undefined' || !navigator.userActivation?.hasBeenActive)
+      return;
     if (!this.context) {
-      this.context = new AudioContext({ latencyHint: 'interactive' });
-      this.instrument = new Instrument(this.context, volume);
+      const context = new AudioContext({ latencyHint: 'interactive' });
+      this.context = context;
+      void computeWaves(context.sampleRate).then(waves => {
+        const { muted, volume } = this.store.state;
+        this.instrument = new Instrument(context, muted ? 0 : volume, waves);
+      });
     }
     if (this.context.state === 'suspended' && !document.hidden) void this.context.resume();
   }
+}
+
+/** Computes the waves at a sample rate (Hz) beside the page. */
+function computeWaves(rate: number): Promise<Waves> {
+  const worker = new Worker(new URL('./wave-worker.ts', import.meta.url), { type: 'module' });
+  worker.postMessage(rate);
+  return new Promise(resolve => {
+    worker.onmessage = ({ data }: MessageEvent<Waves>) => {
+      worker.terminate();
+      resolve(data);
+    };
+  });
 }

@@ -15,6 +15,20 @@ const HIT = 0.0012;
 /** Slips of a creak a second, and the ring of each, Hz and s. */
 const CREAK = { rate: 34, pitch: 620, decay: 0.006 };
 
+type Wave = Float32Array<ArrayBuffer>;
+
+/** Waves of an instrument. */
+export interface Waves {
+  knock: Wave;
+  roughness: Wave;
+  creak: Wave;
+}
+
+/** Returns the waves at a sample rate (Hz). */
+export function wavesAt(rate: number): Waves {
+  return { knock: knock(rate), roughness: roughness(rate), creak: creak(rate) };
+}
+
 /** Uniform noise from -1 to 1 that is the same in each run. */
 function noise(): () => number {
   let state = 0x2545f491;
@@ -27,7 +41,7 @@ function noise(): () => number {
 }
 
 /** Returns a knock at a sample rate (Hz). */
-export function knock(rate: number): Float32Array<ArrayBuffer> {
+export function knock(rate: number): Wave {
   const wave = new Float32Array(Math.round(0.22 * rate));
   const random = noise();
   for (let i = 0; i < wave.length; i++) {
@@ -43,7 +57,7 @@ export function knock(rate: number): Float32Array<ArrayBuffer> {
 }
 
 /** Returns two seconds of the noise of rough faces, which repeat without a seam (Hz). */
-export function roughness(rate: number): Float32Array<ArrayBuffer> {
+export function roughness(rate: number): Wave {
   const wave = new Float32Array(2 * rate);
   const random = noise();
   // Fibres of wood come in bunches: the noise is modulated by slower noise.
@@ -56,7 +70,7 @@ export function roughness(rate: number): Float32Array<ArrayBuffer> {
 }
 
 /** Returns two seconds of a creak: slips at nearly even times, each a short ring. */
-export function creak(rate: number): Float32Array<ArrayBuffer> {
+export function creak(rate: number): Wave {
   const wave = new Float32Array(2 * rate);
   const random = noise();
   for (let at = 0; at < 2; at += (1 + 0.35 * random()) / CREAK.rate) {
@@ -72,7 +86,7 @@ export function creak(rate: number): Float32Array<ArrayBuffer> {
 }
 
 /** Lets the end of a wave pass into its beginning over so many samples. */
-function seamless(wave: Float32Array<ArrayBuffer>, overlap: number): Float32Array<ArrayBuffer> {
+function seamless(wave: Wave, overlap: number): Wave {
   const length = wave.length - overlap;
   for (let i = 0; i < overlap; i++) {
     const part = i / overlap;
@@ -81,7 +95,7 @@ function seamless(wave: Float32Array<ArrayBuffer>, overlap: number): Float32Arra
   return wave.slice(0, length);
 }
 
-function normalized(wave: Float32Array<ArrayBuffer>): Float32Array<ArrayBuffer> {
+function normalized(wave: Wave): Wave {
   const peak = wave.reduce((max, value) => Math.max(max, Math.abs(value)), 0);
   return wave.map(value => value / peak);
 }

@@ -3,6 +3,7 @@
 
 import { build, type Rolldown } from 'vite';
 import { afterAll, beforeAll, expect, test } from 'vitest';
+import { wavesAt } from '../../src/sound/waves';
 import { host, Session, SMALL, type Host } from './browser';
 
 let chrome: Host;
@@ -24,12 +25,13 @@ test('a knock and a scrape differ in the centre of their spectrum, and silence i
   await using session = await Session.open(chrome, `${SMALL}&rows=3&render=once`);
   await session.page.addScriptTag({ content: await instrumentText() });
   const measured = await session.page.evaluate(
-    async () => {
+    async numbers => {
       const { Instrument } = (window as unknown as { sound: typeof import('../../src/sound/instrument') }).sound;
+      const [knock, roughness, creak] = numbers.map(wave => Float32Array.from(wave));
       /** Level and centre of the spectrum (Hz) of what an instrument plays. */
       async function hear(play: (instrument: InstanceType<typeof Instrument>) => void) {
         const context = new OfflineAudioContext(1, 12_000, 24_000);
-        play(new Instrument(context, 1));
+        play(new Instrument(context, 1, { knock, roughness, creak }));
         const samples = (await context.startRendering()).getChannelData(0).subarray(0, 8192);
         let [sum, weighted] = [0, 0];
         for (let k = 1; k < 1024; k++) {
@@ -54,7 +56,7 @@ test('a knock and a scrape differ in the centre of their spectrum, and silence i
         rumble: await hear(i => i.rumble(0.8)),
       };
     },
-    await instrumentText(),
+    Object.values(wavesAt(24_000)).map(wave => [...wave]),
   );
   expect(measured.silence.level).toBe(0);
   expect(measured.knock.level).toBeGreaterThan(2 * measured.soft.level);
