@@ -1,5 +1,6 @@
 //! Errors of golden runs, one line each.
 
+use teeter_game::RecordError;
 use teeter_physics::BuildError;
 
 /// Error of reading, playing or minting golden runs.
@@ -47,6 +48,9 @@ pub enum GoldenError {
     /// World of the recording that cannot be built.
     #[error(transparent)]
     Record(#[from] BuildError),
+    /// Game of opponents that cannot begin.
+    #[error(transparent)]
+    Game(#[from] RecordError),
     /// Tower without a loose block to pull.
     #[error("the tower has no loose block to pull")]
     NoLooseBlock,

@@ -10,8 +10,13 @@ pub fn read(dir: &Path, name: &str) -> Result<String, GoldenError> {
     std::fs::read_to_string(&path).map_err(|e| GoldenError::file(path.display(), e))
 }
 
-/// Writes a file of a folder.
+/// Writes a file of a folder, as text.
 pub fn write(dir: &Path, name: &str, text: &str) -> Result<(), GoldenError> {
+    write_bytes(dir, name, text.as_bytes())
+}
+
+/// Writes a file of a folder.
+pub fn write_bytes(dir: &Path, name: &str, bytes: &[u8]) -> Result<(), GoldenError> {
     let path = dir.join(name);
-    std::fs::write(&path, text).map_err(|e| GoldenError::file(path.display(), e))
+    std::fs::write(&path, bytes).map_err(|e| GoldenError::file(path.display(), e))
 }

@@ -9,6 +9,6 @@ mod runs;
 
 pub use error::GoldenError;
 pub use matrix::{Cell, table};
-pub use record::record;
+pub use record::{contest, record};
 pub use results::{Golden, Minted, mint, reason};
 pub use runs::{Outcome, Run, play_all, runs};

@@ -1,5 +1,5 @@
-//! Recording of inputs: a sweep of two rows, a hand that moves a loose block to the top, and the
-//! commands of a game.
+//! Recording of inputs: a sweep of two rows, a hand that moves a loose block to the top, the
+//! commands of a game, and a game of opponents.
 //!
 //! The path of the hand is computed from a world once. Playback reads the recorded targets.
 
@@ -7,12 +7,14 @@ use std::path::Path;
 
 use glam::{DQuat, DVec2, DVec3};
 use serde::Serialize;
-use teeter_game::{Command, Game, GripMode, HandPath, TakeAndPlace};
+use teeter_game::{
+    Command, Game, GripMode, HandPath, Opponent, Phase, Recorder, Rules, Strength, Table, TakeAndPlace, Thinking,
+};
 use teeter_physics::{BodyId, Drive, Grip, Hand, Input, Params, World};
-use teeter_scene::Form;
+use teeter_scene::{Form, TowerOptions, tower};
 
 use crate::error::GoldenError;
-use crate::files::write;
+use crate::files::{write, write_bytes};
 
 /// Number of steps in which the tower settles first.
 const SETTLE_STEPS: usize = 60;
@@ -24,7 +26,30 @@ const SETTLE_STEPS: usize = 60;
 pub fn record(dir: &Path) -> Result<(), GoldenError> {
     write(dir, "sweep.jsonl", &lines(&sweep()))?;
     write(dir, "pull.jsonl", &lines(&pull()?))?;
-    write(dir, "game.jsonl", &lines(&game()?))
+    write(dir, "game.jsonl", &lines(&game()?))?;
+    write_bytes(dir, CONTEST, &contest()?)
+}
+
+/// File of the game of opponents.
+pub const CONTEST: &str = "contest.record";
+
+/// Returns the record of a whole game between two opponents on a tower of four rows. The page's
+/// engine plays the same game, see `web/tests/opponent.test.mjs`.
+///
+/// # Errors
+/// When no game can begin.
+pub fn contest() -> Result<Vec<u8>, GoldenError> {
+    let scene = tower(&TowerOptions { rows: 4, seed: 11, ..TowerOptions::default() }).expect("the options are valid");
+    let players = [Strength::Skilled, Strength::Beginner];
+    let mut recorder = Recorder::new(&scene, Params::default(), Rules::of(Table::Official, 2))?;
+    let thinking = |strength: Strength| Thinking { budget: 10.0, ..strength.thinking() };
+    let mut opponents: Vec<Opponent> =
+        (0..).zip(players).map(|(seat, player)| Opponent::with_thinking(seat, thinking(player), 7)).collect();
+    while let Some(turn) = recorder.game().turn().filter(|turn| turn.phase != Phase::Over) {
+        let command = opponents[turn.player as usize].next(recorder.game());
+        recorder.step(&command)?;
+    }
+    Ok(recorder.finish().encode())
 }
 
 /// Formats one value a line; a default is an empty line.

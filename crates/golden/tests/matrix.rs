@@ -4,8 +4,8 @@
 use std::path::{Path, PathBuf};
 
 use glam::DVec3;
-use teeter_game::{Event, Game};
-use teeter_golden::{Cell, Golden, Outcome, Run, mint, play_all, runs, table};
+use teeter_game::{Event, Game, Record, verify};
+use teeter_golden::{Cell, Golden, Outcome, Run, contest, mint, play_all, runs, table};
 use teeter_physics::{BodyId, Input, Params, Precision, Twist, Width, World};
 
 fn dir() -> PathBuf {
@@ -224,4 +224,14 @@ fn the_matrix_shows_different_and_missing_cells() {
     all.remove(1);
     let (text, equal) = table(&golden, &all);
     assert!(!equal && text.contains("missing"));
+}
+
+/// Node plays the same game on the page's engine.
+#[test]
+fn two_opponents_play_the_recorded_game_again_bit_for_bit() {
+    let bytes = std::fs::read(dir().join("contest.record")).unwrap();
+    let recorded = Record::decode(&bytes).unwrap();
+    let played = Record::decode(&contest().unwrap()).unwrap();
+    assert!(recorded == played, "if opponents or bits had to change: tools/golden record");
+    assert!(verify(&recorded).unwrap().same);
 }

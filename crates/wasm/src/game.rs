@@ -1,11 +1,11 @@
 //! Binding of a game: commands and updates as JSON, poses as a view on wasm memory.
 
-use serde::Serialize;
-use teeter_game::{Command, RecordWriter, Rules, Table};
+use teeter_game::{Command, RecordWriter, Rules, Table, save_world};
 use teeter_physics::{BodyId, Params, World};
 use teeter_scene::{Form, Scene};
 use wasm_bindgen::prelude::*;
 
+use crate::text::{read, write};
 use crate::{Error, views};
 
 /// A game that a worker owns and steps.
@@ -161,6 +161,12 @@ impl Game {
         Ok(())
     }
 
+    /// The world of this moment as bytes, with its scene and constants: what `Thought` and
+    /// `TowerAnalysis` begin with in another worker.
+    pub fn world(&self) -> Vec<u8> {
+        save_world(self.game.world())
+    }
+
     /// Simulated time, s.
     pub fn time(&self) -> f64 {
         self.game.world().time()
@@ -186,14 +192,19 @@ impl Game {
 }
 
 impl Game {
-    /// World of the game.
-    pub(crate) fn world(&self) -> &World {
-        self.game.world()
+    /// A game that is recorded.
+    pub(crate) fn of(game: teeter_game::Game, writer: RecordWriter) -> Self {
+        Self { game, writer: Some(writer), lattices: Vec::new() }
+    }
+
+    /// The game.
+    pub(crate) fn inner(&self) -> &teeter_game::Game {
+        &self.game
     }
 
     /// Body in the hand.
     pub(crate) fn held(&self) -> Option<BodyId> {
-        self.world().bodies().find(|&body| self.game.hold_grip(body).is_some())
+        self.game.world().bodies().find(|&body| self.game.hold_grip(body).is_some())
     }
 
     fn check(&self, body: u32) -> Result<BodyId, Error> {
@@ -201,18 +212,6 @@ impl Game {
         let unknown = || Error::rejected(format!("there is no body {body}: the world has {count}"));
         self.game.world().body(body).ok_or_else(unknown)
     }
-}
-
-/// Reads JSON; empty text is the default.
-fn read<T: serde::de::DeserializeOwned + Default>(subject: &'static str, text: &str) -> Result<T, Error> {
-    if text.trim().is_empty() {
-        return Ok(T::default());
-    }
-    serde_json::from_str(text).map_err(|e| Error::json(subject, e))
-}
-
-fn write(subject: &'static str, value: &impl Serialize) -> Result<String, Error> {
-    serde_json::to_string(value).map_err(|e| Error::json(subject, e))
 }
 
 #[cfg(test)]

@@ -17,14 +17,14 @@ impl Listener {
     /// Begins to listen to a game.
     #[wasm_bindgen(constructor)]
     pub fn new(game: &Game) -> Listener {
-        Self { listener: teeter_game::Listener::new(game.world()) }
+        Self { listener: teeter_game::Listener::new(game.inner().world()) }
     }
 
     /// Hears the last frame: seven numbers a sound, impacts first, the strongest first. A number is
     /// 0 for an impact and 1 for a slide; then come the body, the impulse (N s) or the normal force
     /// (N), the speed (m/s), and the position (m).
     pub fn hear(&mut self, game: &Game) -> Vec<f32> {
-        let sounds = self.listener.hear(game.world(), game.held());
+        let sounds = self.listener.hear(game.inner().world(), game.held());
         sounds.iter().flat_map(numbers).collect()
     }
 }

@@ -162,11 +162,7 @@ fn write(path: &Path, contest: &Contest) -> Result<(), Error> {
 
 fn strength(name: &str) -> Result<Strength, String> {
     serde_json::from_value(name.into())
-        .map_err(|_| format!("expected one of {}", Strength::ALL.map(self::name).join(", ")))
-}
-
-fn name(strength: Strength) -> String {
-    serde_json::to_value(strength).ok().and_then(|value| value.as_str().map(str::to_owned)).unwrap_or_default()
+        .map_err(|_| format!("expected one of {}", Strength::ALL.map(Strength::name).join(", ")))
 }
 
 /// Pairs of different opponents.
@@ -208,10 +204,10 @@ impl Report {
         output::line(&format!("{} games on {} rows, {mean:.1} moves each", self.games.len(), self.rows))?;
         output::line("player    against   won   of  share (interval of 95 %)")?;
         for row in self.table.iter().filter(|row| row.games > 0) {
-            let against = row.against.map_or("all".to_owned(), name);
+            let against = row.against.map_or("all", Strength::name);
             let Row { player, wins, games, share, low, high, .. } = row;
             let [share, low, high] = [share, low, high].map(|x| 100.0 * x);
-            let player = name(*player);
+            let player = player.name();
             output::line(&format!(
                 "{player:<9} {against:<9} {wins:>3} {games:>4}  {share:>3.0} % ({low:.0} % to {high:.0} %)"
             ))?;

@@ -4,16 +4,13 @@
 use teeter_physics::{BodyId, BuildError, World};
 
 use crate::analysis::candidate::Candidate;
-use crate::analysis::collapse_cause::{ContactWatch, LostContact};
+use crate::analysis::move_log::{FallAnalysis, MoveLog, Played};
 use crate::analysis::proportion::Proportion;
-use crate::analysis::survey::Survey;
-use crate::game::Game;
-use crate::orientation::slide_axis;
+use crate::analysis::survey::{Survey, SurveyRun};
 use crate::player::stage::MovePlan;
 use crate::record::error::RecordError;
 use crate::record::file::Record;
 use crate::record::replay::Replay;
-use crate::update::Event;
 
 /// Number of other moves that each move is compared with: the best by X-ray and limit analysis.
 const OTHERS: usize = 3;
@@ -49,19 +46,6 @@ impl MoveAnalysis {
     }
 }
 
-/// Fall of a recorded tower.
-#[derive(Debug, Clone, PartialEq)]
-pub struct FallAnalysis {
-    /// Time at which the first blocks fell, s.
-    pub time_s: f64,
-    /// These blocks.
-    pub bodies: Vec<BodyId>,
-    /// Block that was being taken.
-    pub taken: BodyId,
-    /// Loaded contact that was lost first; none where none was lost before the fall.
-    pub first_lost: Option<LostContact>,
-}
-
 /// Breakdown of a record.
 #[derive(Debug, Clone)]
 pub struct Breakdown {
@@ -78,17 +62,6 @@ impl Breakdown {
     pub fn riskiest(&self) -> Option<&MoveAnalysis> {
         self.moves.iter().reduce(|a, b| if b.falls.share() > a.falls.share() { b } else { a })
     }
-}
-
-/// A move as it was played.
-struct Played {
-    turn: u32,
-    player: u32,
-    plan: MovePlan,
-    time_s: f64,
-    before: World,
-    removable: Vec<BodyId>,
-    fell: bool,
 }
 
 /// Replays a record and tries each of its moves, and others beside it, with an equal part of the
@@ -110,93 +83,139 @@ struct Played {
 /// # Ok::<(), teeter_game::RecordError>(())
 /// ```
 pub fn breakdown(record: &Record, survey: &Survey, tried: impl Fn() + Sync) -> Result<Breakdown, RecordError> {
-    let (played, fall, end) = replayed(record)?;
-    let part = Survey { budget: survey.budget / played.len().max(1) as f64, ..*survey };
-    let analysed = played.iter().map(|played| analyse(played, &part, &tried));
-    let moves = analysed.collect::<Result<Vec<_>, _>>().map_err(|error| RecordError::Start(error.to_string()))?;
-    let tower = played.into_iter().last().map_or(end, |played| played.before);
-    Ok(Breakdown { moves, fall, tower })
-}
-
-fn analyse(played: &Played, survey: &Survey, tried: &(impl Fn() + Sync)) -> Result<MoveAnalysis, BuildError> {
-    let others: Vec<BodyId> = played.removable.iter().copied().filter(|body| *body != played.plan.body).collect();
-    let others = Candidate::best(&played.before, &others, OTHERS);
-    let plans: Vec<MovePlan> = std::iter::once(played.plan).chain(others.iter().map(Candidate::plan)).collect();
-    let tallies = survey.run(&played.before, &plans, tried)?;
-    let rated = others.iter().zip(&tallies[1..]).map(|(other, tally)| (other.body, tally.falls));
-    Ok(MoveAnalysis {
-        turn: played.turn,
-        player: played.player,
-        body: played.plan.body,
-        time_s: played.time_s,
-        falls: tallies[0].falls,
-        safest: rated.reduce(|a, b| if b.1.share() < a.1.share() { b } else { a }),
-        fell: played.fell,
-    })
-}
-
-/// Moves of a record, its first fall, and the world at its end.
-fn replayed(record: &Record) -> Result<(Vec<Played>, Option<FallAnalysis>, World), RecordError> {
-    let mut replay = Replay::new(record)?;
-    let (mut moves, mut fall): (Vec<Played>, Option<FallAnalysis>) = (Vec::new(), None);
-    let mut begun: Option<Played> = None;
-    let mut watch: Option<ContactWatch> = None;
-    let mut before = replay.game().clone();
-    while let Some(update) = replay.step() {
-        if let Some(watch) = &mut watch {
-            watch.observe(replay.game().world());
+    let mut run = BreakdownRun::new(Replay::new(record)?, *survey);
+    while !run.is_done() {
+        match &mut run.trial {
+            Some(trial) if !trial.run.is_done() => trial.run.finish_round(&tried).map_err(refused)?,
+            _ => run.step()?,
         }
-        for event in &update.events {
-            match event {
-                Event::Grasped { body } if moves.last().is_none_or(|last| !goes_on(last, &before, *body)) => {
-                    begun = Some(begin(&before, *body));
-                    watch = Some(ContactWatch::new(before.world(), *body));
-                }
-                Event::Removed { body, .. } | Event::Placed { body, .. } => {
-                    if let Some(played) = begun.take_if(|played| played.plan.body == *body) {
-                        moves.push(directed(played, replay.game()));
-                    }
-                }
-                Event::Fell { bodies } if fall.is_none() => {
-                    let Some(watch) = &watch else { continue };
-                    moves.extend(begun.take().map(|played| directed(played, replay.game())));
-                    moves.iter_mut().rev().take(1).for_each(|last| last.fell = true);
-                    let (time_s, taken) = (replay.game().world().time(), watch.taken());
-                    fall = Some(FallAnalysis { time_s, bodies: bodies.clone(), taken, first_lost: watch.first_lost() });
-                }
-                _ => {}
-            }
-        }
-        before.clone_from(replay.game());
     }
-    Ok((moves, fall, before.world().clone()))
+    Ok(run.finish())
 }
 
-/// Returns true if a grasp of `body` goes on with the last move: the block is out already.
-fn goes_on(last: &Played, before: &Game, body: BodyId) -> bool {
-    let turn = before.turn();
-    last.plan.body == body && turn.is_some_and(|turn| turn.number == last.turn && turn.block == Some(body))
+/// Frames that are replayed in a step.
+const FRAMES: u32 = 60;
+/// Part of the progress that the replay is.
+const REPLAYING: f64 = 0.3;
+
+/// A breakdown in progress, for a caller that has other work between two steps.
+///
+/// ```
+/// use teeter_game::{BreakdownRun, Command, Recorder, Replay, Rules, Survey, TrialErrors};
+/// use teeter_physics::Params;
+///
+/// let scene = teeter_scene::named("column").unwrap();
+/// let mut recorder = Recorder::new(&scene, Params::default(), Rules::default())?;
+/// recorder.step(&Command::Idle)?;
+/// let survey = Survey { rules: Rules::default(), errors: TrialErrors::default(), budget: 0.0, seed: 1 };
+/// let mut run = BreakdownRun::new(Replay::owning(recorder.finish())?, survey);
+/// while !run.is_done() {
+///     run.step()?;
+/// }
+/// assert!(run.progress() == 1.0 && run.finish().moves.is_empty());
+/// # Ok::<(), teeter_game::RecordError>(())
+/// ```
+#[derive(Debug, Clone)]
+pub struct BreakdownRun<'a> {
+    survey: Survey,
+    replay: Replay<'a>,
+    log: MoveLog,
+    /// Trial of the move that is analysed.
+    trial: Option<Trial>,
+    moves: Vec<MoveAnalysis>,
 }
 
-fn begin(before: &Game, body: BodyId) -> Played {
-    let turn = before.turn();
-    let removable = turn.as_ref().map_or_else(|| before.blocks().bodies().collect(), |turn| turn.removable.clone());
-    let (turn, player) = turn.map_or((0, 0), |turn| (turn.number, turn.player));
-    let plan = Candidate::ranked(before.world(), &[body])[0].plan();
-    let (time_s, before) = (before.world().time(), before.world().clone());
-    Played { turn, player, plan, time_s, before, removable, fell: false }
+/// Rollouts of a move, and of others beside it.
+#[derive(Debug, Clone)]
+struct Trial {
+    others: Vec<Candidate>,
+    run: SurveyRun,
 }
 
-/// The move with the direction in which its block went.
-fn directed(played: Played, game: &Game) -> Played {
-    let before = played.before.pose(played.plan.body);
-    let along = slide_axis(before.orientation);
-    let travel = (game.blocks().position(played.plan.body) - before.position).dot(along);
-    // What moved less than a millimetre has no direction yet.
-    let toward = match travel {
-        x if x > 1e-3 => along,
-        x if x < -1e-3 => -along,
-        _ => played.plan.toward,
-    };
-    Played { plan: MovePlan { toward, ..played.plan }, ..played }
+impl<'a> BreakdownRun<'a> {
+    /// Begins with a replay that is at its start.
+    pub fn new(replay: Replay<'a>, survey: Survey) -> Self {
+        let log = MoveLog::new(replay.game());
+        Self { survey, replay, log, trial: None, moves: Vec::new() }
+    }
+
+    /// Returns true if every move is analysed.
+    pub fn is_done(&self) -> bool {
+        self.is_replayed() && self.moves.len() == self.log.moves.len()
+    }
+
+    /// Part of the work that is done, 0 to 1.
+    pub fn progress(&self) -> f64 {
+        if self.is_done() {
+            return 1.0;
+        }
+        let replayed = f64::from(self.replay.frame()) / f64::from(self.replay.record().frames().max(1));
+        let trial = self.trial.as_ref().map_or(0.0, |trial| trial.run.progress());
+        let tried = (self.moves.len() as f64 + trial) / self.log.moves.len().max(1) as f64;
+        REPLAYING * replayed + if self.is_replayed() { (1.0 - REPLAYING) * tried } else { 0.0 }
+    }
+
+    /// Replays a second, or makes a rollout.
+    ///
+    /// # Errors
+    /// When no world can be built of an estimate.
+    pub fn step(&mut self) -> Result<(), RecordError> {
+        if !self.is_replayed() {
+            for _ in 0..FRAMES {
+                let Some(update) = self.replay.step() else { break };
+                self.log.observe(self.replay.game(), &update.events);
+            }
+            return Ok(());
+        }
+        let Some(played) = self.log.moves.get(self.moves.len()) else { return Ok(()) };
+        match &mut self.trial {
+            None => self.trial = Some(Trial::new(played, self.survey, self.log.moves.len())),
+            Some(trial) if trial.run.is_done() => {
+                self.moves.push(trial.analysis(played));
+                self.trial = None;
+            }
+            Some(trial) => trial.run.step().map_err(refused)?,
+        }
+        Ok(())
+    }
+
+    /// Ends the analysis, with the moves that are analysed so far.
+    pub fn finish(self) -> Breakdown {
+        let MoveLog { moves, fall, before, .. } = self.log;
+        let tower = moves.into_iter().last().map_or_else(|| before.world().clone(), |played| played.before);
+        Breakdown { moves: self.moves, fall, tower }
+    }
+
+    fn is_replayed(&self) -> bool {
+        self.replay.frame() == self.replay.record().frames()
+    }
+}
+
+fn refused(error: BuildError) -> RecordError {
+    RecordError::Start(error.to_string())
+}
+
+impl Trial {
+    /// Begins to try a move, with the part of the budget of one of `count` moves.
+    fn new(played: &Played, survey: Survey, count: usize) -> Self {
+        let others: Vec<BodyId> = played.removable.iter().copied().filter(|body| *body != played.plan.body).collect();
+        let others = Candidate::best(&played.before, &others, OTHERS);
+        let plans: Vec<MovePlan> = std::iter::once(played.plan).chain(others.iter().map(Candidate::plan)).collect();
+        let survey = Survey { budget: survey.budget / count as f64, ..survey };
+        Self { others, run: SurveyRun::new(survey, played.before.clone(), plans) }
+    }
+
+    fn analysis(&self, played: &Played) -> MoveAnalysis {
+        let tallies = self.run.tallies();
+        let rated = self.others.iter().zip(&tallies[1..]).map(|(other, tally)| (other.body, tally.falls));
+        MoveAnalysis {
+            turn: played.turn,
+            player: played.player,
+            body: played.plan.body,
+            time_s: played.time_s,
+            falls: tallies[0].falls,
+            safest: rated.reduce(|a, b| if b.1.share() < a.1.share() { b } else { a }),
+            fell: played.fell,
+        }
+    }
 }

@@ -49,32 +49,92 @@ impl Candidate {
     /// # Panics
     /// When the world has no such body.
     pub fn best(world: &World, bodies: &[BodyId], count: usize) -> Vec<Self> {
-        let loads = xray(world, world.scene().friction);
-        let tightness = |body: BodyId| loads[body.index()].tightness_n;
-        let mut bodies = bodies.to_vec();
-        bodies.sort_by(|a, b| tightness(*a).total_cmp(&tightness(*b)).then(a.cmp(b)));
-        let scene = levelled(world);
-        let mut candidates: Vec<Self> = Vec::new();
-        for chunk in bodies.chunks(count.max(1)) {
-            candidates.extend(par_map(chunk, |body| Self {
-                body: *body,
-                toward: outward(world, *body),
-                tightness_n: tightness(*body),
-                falls: RigidTower::falls(&without_block(&scene, body.index())),
-            }));
-            if candidates.iter().filter(|candidate| candidate.falls != Some(true)).count() >= count {
-                break;
-            }
+        let mut ranking = Ranking::new(world, bodies, count);
+        while !ranking.is_done() {
+            ranking.finish_round();
         }
-        // The sort is stable: the loosest stay first.
-        candidates.sort_by_key(|candidate| candidate.falls == Some(true));
-        candidates.truncate(count);
-        candidates
+        ranking.finish()
     }
 
     /// Plan of the move.
     pub fn plan(&self) -> MovePlan {
         MovePlan::pull(self.body, self.toward)
+    }
+}
+
+/// A ranking in progress, block by block: [`Candidate::best`] for a caller that has other work in
+/// between.
+#[derive(Debug, Clone)]
+pub struct Ranking {
+    /// The tower for limit analysis.
+    scene: Scene,
+    count: usize,
+    /// Candidates, the loosest first; the first of them are analysed.
+    candidates: Vec<Candidate>,
+    analysed: usize,
+}
+
+impl Ranking {
+    /// Begins to rank blocks: by the X-ray alone.
+    ///
+    /// # Panics
+    /// When the world has no such body.
+    pub fn new(world: &World, bodies: &[BodyId], count: usize) -> Self {
+        let loads = xray(world, world.scene().friction);
+        let candidate = |body: &BodyId| Candidate {
+            body: *body,
+            toward: outward(world, *body),
+            tightness_n: loads[body.index()].tightness_n,
+            falls: None,
+        };
+        let mut candidates: Vec<Candidate> = bodies.iter().map(candidate).collect();
+        candidates.sort_by(|a, b| a.tightness_n.total_cmp(&b.tightness_n).then(a.body.cmp(&b.body)));
+        Self { scene: levelled(world), count: count.max(1), candidates, analysed: 0 }
+    }
+
+    /// Returns true if a round has ended with enough blocks without which the tower stands, or all
+    /// are analysed.
+    pub fn is_done(&self) -> bool {
+        let standing = self.candidates[..self.analysed].iter().filter(|candidate| candidate.falls != Some(true));
+        let is_round = self.analysed.is_multiple_of(self.count);
+        self.analysed == self.candidates.len() || (is_round && standing.count() >= self.count)
+    }
+
+    /// Part of the blocks that is analysed, 0 to 1.
+    pub fn progress(&self) -> f64 {
+        if self.is_done() { 1.0 } else { self.analysed as f64 / self.candidates.len() as f64 }
+    }
+
+    /// Analyses the next block, where the ranking is not done.
+    pub fn step(&mut self) {
+        if !self.is_done() {
+            self.candidates[self.analysed].falls = self.falls(&self.candidates[self.analysed]);
+            self.analysed += 1;
+        }
+    }
+
+    /// Analyses the other blocks of the round side by side.
+    pub fn finish_round(&mut self) {
+        let end = ((self.analysed / self.count + 1) * self.count).min(self.candidates.len());
+        let falls = par_map(&self.candidates[self.analysed..end], |candidate| self.falls(candidate));
+        for (candidate, falls) in self.candidates[self.analysed..end].iter_mut().zip(falls) {
+            candidate.falls = falls;
+        }
+        self.analysed = end;
+    }
+
+    /// Ends with the candidates that were analysed: those without which the tower stands first, at
+    /// most as many as were wanted.
+    pub fn finish(mut self) -> Vec<Candidate> {
+        self.candidates.truncate(self.analysed);
+        // The sort is stable: the loosest stay first.
+        self.candidates.sort_by_key(|candidate| candidate.falls == Some(true));
+        self.candidates.truncate(self.count);
+        self.candidates
+    }
+
+    fn falls(&self, candidate: &Candidate) -> Option<bool> {
+        RigidTower::falls(&without_block(&self.scene, candidate.body.index()))
     }
 }
 

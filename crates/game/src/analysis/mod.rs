@@ -6,6 +6,7 @@ pub mod collapse_cause;
 pub mod estimate;
 pub mod freedom;
 pub mod holders;
+pub mod move_log;
 pub mod proportion;
 pub mod rollout;
 pub mod survey;

@@ -131,6 +131,13 @@ impl SurveyRun {
         Self { survey, world, plans, tallies, round: 0, next: 0, spent: 0.0 }
     }
 
+    /// Begins the survey with other moves.
+    pub fn begin(&mut self, plans: Vec<MovePlan>) {
+        (self.round, self.next, self.spent) = (0, 0, 0.0);
+        self.tallies = vec![Tally::default(); plans.len()];
+        self.plans = plans;
+    }
+
     /// Returns true if a round has ended and the budget is spent.
     pub fn is_done(&self) -> bool {
         let is_spent = self.round > 0 && (self.spent >= self.survey.budget || self.round >= MAX_ROUNDS);

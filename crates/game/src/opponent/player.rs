@@ -18,7 +18,8 @@ const PATIENCE: f64 = 10.0;
 /// Number of moves without success in a turn after which it gives up.
 const MAX_FAILURES: usize = 8;
 
-/// An opponent. All that it does follows from its thinking, its seed and the game.
+/// An opponent. All that it does in a turn follows from its thinking, its seed, and the game from
+/// the beginning of that turn on: one that takes over there plays the same.
 ///
 /// ```
 /// use teeter_game::{Command, Game, Opponent, Rules, Strength, Table};
@@ -42,6 +43,8 @@ const MAX_FAILURES: usize = 8;
 pub struct Opponent {
     player: u32,
     thinking: Thinking,
+    seed: u64,
+    /// Random numbers of the turn.
     random: Random,
     /// Number of the turn, and the blocks with which it failed in it, in their order.
     turn: u32,
@@ -65,6 +68,7 @@ impl Opponent {
         Self {
             player,
             thinking,
+            seed,
             random: Random::new(seed),
             turn: 0,
             failures: Vec::new(),
@@ -122,9 +126,18 @@ impl Opponent {
 
     /// Takes in a turn that began and a move that ended. Returns the turn where it is its own.
     fn advance(&mut self, game: &Game) -> Option<TurnState> {
-        let turn = game.turn().filter(|turn| turn.player == self.player)?;
+        let turn = game.turn()?;
+        if turn.phase == Phase::Over {
+            // The tower may be rebuilt, and turns are counted from 1 again.
+            self.turn = 0;
+            return None;
+        }
+        if turn.player != self.player {
+            return None;
+        }
         if turn.number != self.turn {
             (self.turn, self.hand, self.question, self.answer) = (turn.number, None, None, None);
+            self.random = Random::new(Random::new(self.seed).bits().wrapping_add(u64::from(turn.number)));
             self.failures.clear();
         }
         let ended = self.hand.take_if(|(_, hand)| hand.end().is_some());

@@ -56,6 +56,17 @@ impl Strength {
     /// All strengths.
     pub const ALL: [Self; 5] = [Self::Random, Self::Beginner, Self::Skilled, Self::Expert, Self::Gentle];
 
+    /// Name, as in JSON and in the shell.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Random => "random",
+            Self::Beginner => "beginner",
+            Self::Skilled => "skilled",
+            Self::Expert => "expert",
+            Self::Gentle => "gentle",
+        }
+    }
+
     /// Manner of thinking of this strength.
     pub fn thinking(self) -> Thinking {
         let errors = |height, friction, position| EstimateErrors { height, friction, position };
@@ -73,6 +84,18 @@ impl Strength {
             Self::Skilled => thinking(5, true, 50.0, errors(5e-5, 0.1, 5e-4)),
             Self::Expert => Thinking { trouble: 0.05, ..thinking(8, true, 130.0, errors(2e-5, 0.05, 2e-4)) },
             Self::Gentle => Thinking { trouble: -0.05, risk: 0.5, ..thinking(4, false, 80.0, errors(5e-5, 0.1, 5e-4)) },
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn names_are_those_of_json() {
+        for strength in Strength::ALL {
+            assert_eq!(serde_json::to_value(strength).unwrap(), strength.name());
         }
     }
 }

@@ -4,7 +4,7 @@ use serde::{Deserialize, Serialize};
 use teeter_physics::{BodyId, BuildError, World};
 use teeter_scene::Random;
 
-use crate::analysis::candidate::Candidate;
+use crate::analysis::candidate::{Candidate, Ranking};
 use crate::analysis::rollout::TrialErrors;
 use crate::analysis::survey::{Survey, SurveyRun, Tally};
 use crate::opponent::strength::Thinking;
@@ -14,6 +14,8 @@ use crate::rules::table::Rules;
 /// Cost of a block that does not come out, as a chance of a fall: it has to be put back, and that
 /// shakes the tower.
 const STUCK: f64 = 0.1;
+/// Part of the progress that the ranking of the blocks is.
+const RANKING: f64 = 0.1;
 
 /// A move that was considered.
 ///
@@ -51,7 +53,11 @@ pub fn choose(
 ) -> Result<Vec<Considered>, BuildError> {
     let question = Question { rules: *rules, bodies: bodies.to_vec(), thinking: *thinking, seed };
     let mut thought = Thought::new(world.clone(), &question);
-    while !thought.is_done() {
+    while let Some(ranking) = thought.ranking.as_mut().filter(|ranking| !ranking.is_done()) {
+        ranking.finish_round();
+    }
+    thought.begin_rollouts();
+    while !thought.run.is_done() {
         thought.run.finish_round(|| ())?;
     }
     Ok(thought.considered())
@@ -91,43 +97,59 @@ pub struct Question {
 #[derive(Debug, Clone)]
 pub struct Thought {
     thinking: Thinking,
+    /// Ranking of the blocks; none once it is done.
+    ranking: Option<Ranking>,
     candidates: Vec<Candidate>,
     run: SurveyRun,
 }
 
 impl Thought {
-    /// Begins to think: ranks the blocks that are tried. A body that the world has not is left out.
+    /// Begins to think. A body that the world has not is left out.
     pub fn new(world: World, question: &Question) -> Self {
         let Question { rules, bodies, thinking, seed } = question;
         let count = (thinking.candidates as usize).max(1);
         let bodies: Vec<BodyId> = bodies.iter().copied().filter(|body| body.index() < world.len()).collect();
-        let candidates = if thinking.is_ranked {
-            Candidate::best(&world, &bodies, count)
-        } else {
-            Candidate::ranked(&world, &drawn(&bodies, count, *seed))
-        };
+        let bodies = if thinking.is_ranked { bodies } else { drawn(&bodies, count, *seed) };
+        let ranking = Some(Ranking::new(&world, &bodies, count));
         let errors = TrialErrors { estimate: thinking.errors, hand: HandNoise::default() };
         let survey = Survey { rules: *rules, errors, budget: thinking.budget, seed: *seed };
-        let plans = if thinking.budget > 0.0 { candidates.iter().map(Candidate::plan).collect() } else { Vec::new() };
-        Self { thinking: *thinking, candidates, run: SurveyRun::new(survey, world, plans) }
+        let run = SurveyRun::new(survey, world, Vec::new());
+        Self { thinking: *thinking, ranking, candidates: Vec::new(), run }
     }
 
     /// Returns true if the budget is spent.
     pub fn is_done(&self) -> bool {
-        self.run.is_done()
+        self.ranking.is_none() && self.run.is_done()
     }
 
-    /// Part of the budget that is spent, 0 to 1.
+    /// Part of the work that is done, 0 to 1.
     pub fn progress(&self) -> f64 {
-        self.run.progress()
+        match &self.ranking {
+            Some(ranking) => RANKING * ranking.progress(),
+            None if self.is_done() => 1.0,
+            None => RANKING + (1.0 - RANKING) * self.run.progress(),
+        }
     }
 
-    /// Makes the next rollout, where the budget is not spent.
+    /// Ranks the next block, or makes the next rollout, where the budget is not spent.
     ///
     /// # Errors
     /// When no world can be built of an estimate.
     pub fn step(&mut self) -> Result<(), BuildError> {
-        self.run.step()
+        let Some(ranking) = &mut self.ranking else { return self.run.step() };
+        ranking.step();
+        if ranking.is_done() {
+            self.begin_rollouts();
+        }
+        Ok(())
+    }
+
+    fn begin_rollouts(&mut self) {
+        let Some(ranking) = self.ranking.take() else { return };
+        self.candidates = ranking.finish();
+        if self.thinking.budget > 0.0 {
+            self.run.begin(self.candidates.iter().map(Candidate::plan).collect());
+        }
     }
 
     /// Moves by their rollouts so far, the one to choose first.

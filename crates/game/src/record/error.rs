@@ -48,6 +48,9 @@ pub enum RecordError {
     /// No game can be begun from the scene, the parameters and the rules.
     #[error("no game begins like this: {0}")]
     Start(String),
+    /// The replay is not the same, so its record cannot go on.
+    #[error("the replay is not the same as its record from frame {0} on, and cannot be played on")]
+    Diverged(u32),
     /// The record has as many frames as there may be.
     #[error("a record has at most {0} frames")]
     Full(u32),

@@ -108,6 +108,11 @@ impl Record {
         })
     }
 
+    /// Time from one keyframe to the next, s.
+    pub fn keyframe_interval(&self) -> f64 {
+        f64::from(self.interval()) * self.params.frame
+    }
+
     /// Number of frames from one sample to the next.
     pub(crate) fn interval(&self) -> u32 {
         sample_interval(&self.params)

@@ -57,6 +57,21 @@ impl RecordWriter {
         Self { record, poses: of_scene(scene), state_interval: None, stored: 0 }
     }
 
+    /// Goes on with a record after some frames; the frames after them are dropped.
+    pub(crate) fn resume(mut record: Record, frames: u32) -> Self {
+        let frames = frames.min(record.frames());
+        record.engine = engine_id();
+        record.tape.truncate(frames);
+        record.checks.truncate(frames as usize);
+        record.samples.truncate((frames / record.interval()) as usize);
+        record.states.retain(|state| state.frame <= frames);
+        let mut poses = of_scene(&record.scene);
+        let changes = record.samples.iter().flat_map(|sample| &sample.changes);
+        changes.for_each(|change| poses[change.body.index()] = change.pose);
+        let stored = record.states.iter().map(|state| state.bytes.len()).sum();
+        Self { record, poses, state_interval: None, stored }
+    }
+
     /// Takes in a command, and the game after the frame in which it was given.
     ///
     /// # Errors

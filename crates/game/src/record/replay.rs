@@ -8,7 +8,7 @@ use crate::game::Game;
 use crate::record::error::RecordError;
 use crate::record::file::Record;
 use crate::record::pose_code::{RoundedPose, of_scene, position, rounded};
-use crate::record::recorder::{begin, frame_check};
+use crate::record::recorder::{RecordWriter, begin, frame_check};
 use crate::record::tape::Cursor;
 use crate::update::Update;
 
@@ -89,6 +89,35 @@ impl<'a> Replay<'a> {
     /// Ends the replay and leaves the game, which can be played on from there.
     pub fn into_game(self) -> Game {
         self.game
+    }
+
+    /// Ends the replay and leaves the game, with the writer of a record that is the same so far and
+    /// goes on with what is played from here.
+    ///
+    /// # Errors
+    /// When the replay has diverged from its record.
+    ///
+    /// ```
+    /// use teeter_game::{Command, Recorder, Replay, Rules, verify};
+    /// use teeter_physics::Params;
+    ///
+    /// let scene = teeter_scene::named("column").unwrap();
+    /// let mut recorder = Recorder::new(&scene, Params::default(), Rules::default())?;
+    /// recorder.step(&Command::Idle)?;
+    /// let mut replay = Replay::owning(recorder.finish())?;
+    /// replay.step();
+    /// let (mut game, mut writer) = replay.play_on()?;
+    /// game.step(&Command::Idle);
+    /// writer.write(&Command::Idle, &game)?;
+    /// let record = writer.finish(&game);
+    /// assert_eq!((record.frames(), verify(&record)?.same), (2, true));
+    /// # Ok::<(), teeter_game::RecordError>(())
+    /// ```
+    pub fn play_on(self) -> Result<(Game, RecordWriter), RecordError> {
+        if let Some(divergence) = self.divergence {
+            return Err(RecordError::Diverged(divergence.frame));
+        }
+        Ok((self.game, RecordWriter::resume(self.record.into_owned(), self.frame)))
     }
 
     /// Number of frames so far.

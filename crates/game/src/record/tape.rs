@@ -44,6 +44,16 @@ impl Tape {
         self.frames
     }
 
+    /// Drops the commands from a frame on.
+    pub fn truncate(&mut self, frames: u32) {
+        let Cursor { run, frame } = self.cursor(frames);
+        self.runs.truncate(run + usize::from(frame > 0));
+        if let Some(last) = self.runs.get_mut(run) {
+            last.frames = frame;
+        }
+        self.frames = self.frames.min(frames);
+    }
+
     /// Position before a frame, counted from 0.
     pub fn cursor(&self, frame: u32) -> Cursor {
         let mut cursor = Cursor { run: 0, frame };
@@ -115,6 +125,21 @@ mod tests {
         assert_eq!((tape.runs().len(), tape.frames()), (4, 6));
         for frame in 0..=6 {
             assert_eq!(tape.from(frame).collect::<Vec<_>>(), commands[frame as usize..], "from {frame}");
+        }
+    }
+
+    #[test]
+    fn a_tape_that_is_cut_has_the_commands_before_the_cut() {
+        let mut tape = Tape::default();
+        let commands = [Command::Idle, Command::Idle, step(DVec3::ONE), Command::Poke, Command::Idle];
+        for command in commands {
+            tape.push(Run { command, frames: 1 }).unwrap();
+        }
+        for cut in 0..=6 {
+            let mut tape = tape.clone();
+            tape.truncate(cut);
+            let left = &commands[..(cut as usize).min(5)];
+            assert_eq!((tape.from(0).collect::<Vec<_>>(), tape.frames()), (left.to_vec(), left.len() as u32));
         }
     }
 

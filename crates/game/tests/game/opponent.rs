@@ -2,8 +2,9 @@
 
 use crate::common::{settled, tower};
 use teeter_game::{
-    Candidate, Event, Game, MoveEnd, MovePlan, Opponent, Phase, Recorder, Replay, Rules, Strength, Survey, Table,
-    Tally, Thinking, TrialErrors, choose, contest, roll_out, verify,
+    Candidate, Event, Game, MoveEnd, MovePlan, Opponent, Phase, Record, RecordWriter, Recorder, Replay, Rules,
+    Strength, Survey, Table, Tally, Thinking, Thought, TrialErrors, choose, contest, load_world, roll_out, save_world,
+    verify,
 };
 use teeter_physics::{BodyId, Params, World};
 use teeter_scene::{TowerOptions, config};
@@ -146,4 +147,75 @@ fn opponents_that_think_find_the_one_safe_block_more_often_than_a_random_mover()
         let safe = safe_choices(&world, strength);
         assert!(safe > random, "{strength:?} {safe} times of six, a random mover {random} times");
     }
+}
+
+/// Game of two opponents up to its end, or to a number of frames, from a game and the writer of its
+/// record.
+fn play_on(mut game: Game, mut writer: RecordWriter, opponents: &mut [Opponent]) -> Record {
+    for _ in 0..20_000 {
+        let Some(turn) = game.turn().filter(|turn| turn.phase != Phase::Over) else { break };
+        let command = opponents[turn.player as usize].next(&game);
+        game.step(&command);
+        writer.write(&command, &game).expect("the record is short");
+    }
+    writer.finish(&game)
+}
+
+#[test]
+fn a_game_that_is_reloaded_from_its_record_at_any_turn_goes_on_the_same() {
+    let scene = config("(111)-(010)-(111)-(111)", &TowerOptions::default()).expect("the notation is valid");
+    let opponents = || {
+        let thinking = |strength: Strength| Thinking { budget: 1.0, candidates: 2, ..strength.thinking() };
+        [(0, Strength::Skilled), (1, Strength::Beginner)].map(|(seat, s)| Opponent::with_thinking(seat, thinking(s), 5))
+    };
+    let world = World::new(&scene, Params::default()).expect("the scene is valid");
+    let game = Game::with_rules(world, official()).expect("the rules are valid");
+    let writer = RecordWriter::new(&scene, Params::default(), official());
+    let whole = play_on(game, writer, &mut opponents());
+    let mut replay = Replay::new(&whole).expect("the game begins");
+    let mut starts = vec![0];
+    while let Some(update) = replay.step() {
+        let is_begun = update.events.iter().any(|event| matches!(event, Event::TurnStarted { .. }));
+        starts.extend(is_begun.then(|| replay.frame()));
+    }
+    assert!(starts.len() >= 3, "turns begin in the frames {starts:?}");
+    for start in starts {
+        let mut replay = Replay::owning(Record::decode(&whole.encode()).expect("it is a record")).expect("it begins");
+        while replay.frame() < start {
+            replay.step();
+        }
+        let (game, writer) = replay.play_on().expect("it is the same so far");
+        assert!(play_on(game, writer, &mut opponents()) == whole, "from frame {start} on");
+    }
+}
+
+#[test]
+fn a_question_that_is_answered_elsewhere_gives_the_same_game() {
+    let scene = config("(111)-(010)-(111)-(111)", &TowerOptions::default()).expect("the notation is valid");
+    let world = World::new(&scene, Params::default()).expect("the scene is valid");
+    let mut game = Game::with_rules(world, official()).expect("the rules are valid");
+    let thinking = Thinking { budget: 1.0, candidates: 2, ..Strength::Skilled.thinking() };
+    let mut alone = Opponent::with_thinking(0, thinking, 4);
+    let mut asked = alone.clone();
+    let mut questions = 0;
+    while game.turn().is_some_and(|turn| turn.number == 1 && turn.phase != Phase::Over) {
+        let question = asked.question(&game).cloned();
+        assert_eq!(asked.question(&game), question.as_ref(), "it is the same question until it is answered");
+        if let Some(question) = question {
+            let elsewhere = load_world(&save_world(game.world())).expect("it is a world");
+            let mut thought = Thought::new(elsewhere, &question);
+            let mut progress = 0.0;
+            while !thought.is_done() {
+                thought.step().expect("estimates are towers");
+                assert!((progress..=1.0).contains(&thought.progress()), "{progress} {}", thought.progress());
+                progress = thought.progress();
+            }
+            asked.answer(thought.considered().first().map(|considered| considered.candidate.plan()));
+            questions += 1;
+        }
+        let command = alone.next(&game);
+        assert_eq!(asked.next(&game), command);
+        game.step(&command);
+    }
+    assert!(questions >= 1);
 }
