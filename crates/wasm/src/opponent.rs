@@ -47,8 +47,8 @@ impl Opponent {
     }
 
     /// Question that the opponent has to answer before its next command, as JSON; undefined where
-    /// it has none. [`Thought`] answers it, in another worker so that the game goes on, with commands
-    /// `idle`. It is the same question until it is answered or the turn ends.
+    /// it has none. [`Thought`] answers it, in another worker so that the game goes on, with
+    /// commands `idle`. It is the same question until it is answered or the turn ends.
     pub fn question(&mut self, game: &Game) -> Result<Option<String>, Error> {
         self.0.question(game.inner()).map(|question| text::write("question", question)).transpose()
     }

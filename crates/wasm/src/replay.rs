@@ -7,9 +7,9 @@ use wasm_bindgen::prelude::*;
 use crate::{Error, Game, text, views};
 
 /// Frames from one state that is kept to the next: ten seconds.
-const KEPT_FRAMES: u32 = 600;
+const STATE_INTERVAL: u32 = 600;
 /// Memory of the states that are kept, bytes.
-const KEPT_BYTES: usize = 64_000_000;
+const MAX_STATE_BYTES: usize = 64_000_000;
 
 /// A record that is played again, and compared with its checks as it plays.
 #[wasm_bindgen]
@@ -175,12 +175,12 @@ impl Replay {
     /// Keeps the state where the last one is long ago.
     fn keep(&mut self) {
         let last = self.kept.last().map_or(0, ReplayState::frame);
-        if self.frame() < last + KEPT_FRAMES {
+        if self.frame() < last + STATE_INTERVAL {
             return;
         }
         let state = self.replay.save();
         let kept: usize = self.kept.iter().map(ReplayState::size).sum();
-        if kept + state.size() <= KEPT_BYTES {
+        if kept + state.size() <= MAX_STATE_BYTES {
             self.kept.push(state);
         }
     }
