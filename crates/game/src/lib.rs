@@ -55,6 +55,7 @@ pub use record::error::RecordError;
 pub use record::file::Record;
 pub use record::recorder::{RecordWriter, Recorder};
 pub use record::replay::{Displaced, Divergence, Replay, ReplayState, Verification, verify};
+pub use record::resume::resume;
 pub use rest::{Motion, RestDetector};
 pub use rules::ideal::{IdealMove, IdealPosition};
 pub use rules::illegal::Illegal;

@@ -1,6 +1,6 @@
 //! Binding of a game: commands and updates as JSON, poses as a view on wasm memory.
 
-use teeter_game::{Command, RecordWriter, Rules, Table, save_world};
+use teeter_game::{Command, Record, RecordWriter, Rules, Table, save_world};
 use teeter_physics::{BodyId, Params, World};
 use teeter_scene::{Form, Scene};
 use wasm_bindgen::prelude::*;
@@ -49,9 +49,32 @@ impl Game {
         Ok(())
     }
 
-    /// Record of the game so far as bytes; undefined where it is not recorded.
-    pub fn record(&self) -> Option<Vec<u8>> {
-        self.writer.clone().map(|writer| writer.finish(&self.game).encode())
+    /// Record of the game so far as bytes; undefined where it is not recorded. With its state it is
+    /// larger, and resumed at once.
+    pub fn record(&self, with_state: Option<bool>) -> Option<Vec<u8>> {
+        let writer = self.writer.clone()?;
+        let with_state = with_state == Some(true);
+        let record = if with_state { writer.finish_with_state(&self.game) } else { writer.finish(&self.game) };
+        Some(record.encode())
+    }
+
+    /// Goes on with a recorded game where its record ends, and with the record. Bytes that are none,
+    /// or the record of a game that this engine computes otherwise, are an error.
+    pub fn resume(record: &[u8]) -> Result<Game, Error> {
+        let record = Record::decode(record).map_err(Error::rejected)?;
+        let (game, writer) = teeter_game::resume(record).map_err(Error::rejected)?;
+        Ok(Self { game, writer: Some(writer), lattices: Vec::new() })
+    }
+
+    /// Scene of the blocks as they stand now (JSON).
+    pub fn scene(&self) -> String {
+        self.game.world().to_scene().to_json()
+    }
+
+    /// Rules of the game (JSON of [`Rules`]).
+    #[wasm_bindgen(js_name = ownRules)]
+    pub fn own_rules(&self) -> Result<String, Error> {
+        write("rules", &self.game.rules())
     }
 
     /// Judges a command (JSON of [`Command`]) by the rules. Returns the reason why it is illegal;
@@ -67,9 +90,8 @@ impl Game {
     pub fn step(&mut self, command: &str) -> Result<String, Error> {
         let command: Command = read("command", command)?;
         let update = self.game.step(&command);
-        if let Some(writer) = &mut self.writer {
-            writer.write(&command, &self.game).map_err(Error::rejected)?;
-        }
+        // A game of more than a day goes on without its record.
+        self.writer.take_if(|writer| writer.write(&command, &self.game).is_err());
         write("update", &update)
     }
 
@@ -256,7 +278,7 @@ mod tests {
         let scene = crate::tower_scene(r#"{"rows": 3}"#).unwrap();
         let rules = Game::rules("official", 2).unwrap();
         let mut game = Game::new(&scene, "", Some(rules)).unwrap();
-        assert_eq!(game.record(), None);
+        assert_eq!(game.record(None), None);
         game.start_record().unwrap();
         let update: Value = serde_json::from_str(&game.step("").unwrap()).unwrap();
         assert_eq!((&update["turn"]["phase"], &update["turn"]["player"]), (&"choosing".into(), &0.into()));
@@ -267,10 +289,38 @@ mod tests {
             (&update["events"][0]["event"], &update["events"][0]["reason"]),
             (&"illegal".into(), &reason.into())
         );
-        let record = teeter_game::Record::decode(&game.record().unwrap()).unwrap();
+        let record = teeter_game::Record::decode(&game.record(None).unwrap()).unwrap();
         let verified = teeter_game::verify(&record).unwrap();
         assert_eq!((record.frames(), verified.same, format!("{:016x}", verified.hash)), (2, true, game.hash()));
         assert_eq!(game.start_record().unwrap_err().to_string(), "a game is recorded from its first frame on");
+    }
+
+    #[test]
+    fn a_game_is_resumed_from_its_record_with_the_same_state_and_record() {
+        let scene = crate::tower_scene(r#"{"rows": 3}"#).unwrap();
+        let mut game = Game::new(&scene, "", Some(Game::rules("dissertation", 2).unwrap())).unwrap();
+        game.start_record().unwrap();
+        let top = r#"{"command": "grasp", "body": 7, "anchor": [0, 0, 0.009], "normal": [0, 0, 1], "grip": "auto"}"#;
+        (0..80).for_each(|k| drop(game.step(if k == 20 { top } else { "" }).unwrap()));
+        let mut resumed = Game::resume(&game.record(Some(true)).unwrap()).unwrap();
+        assert_eq!((resumed.time(), resumed.hash()), (game.time(), game.hash()));
+        assert_eq!(resumed.own_rules().unwrap(), Game::rules("dissertation", 2).unwrap());
+        for _ in 0..50 {
+            assert_eq!(resumed.step("").unwrap(), game.step("").unwrap());
+        }
+        assert_eq!(resumed.record(None), game.record(None));
+        let line = Game::resume(b"none").unwrap_err().to_string();
+        assert!(!line.is_empty() && !line.contains('\n'), "{line}");
+    }
+
+    #[test]
+    fn the_scene_of_a_game_is_its_blocks_as_they_stand() {
+        let mut game = game();
+        (0..10).for_each(|_| drop(game.step("").unwrap()));
+        let scene: Value = serde_json::from_str(&game.scene()).unwrap();
+        let heights = scene["blocks"].as_array().unwrap().iter().map(|block| block["pos"][2].as_f64().unwrap());
+        let poses = game.game.world().poses().chunks_exact(7).map(|pose| pose[2]);
+        assert!(heights.zip(poses).all(|(height, z)| (height - z).abs() < 1e-9));
     }
 
     #[test]

@@ -9,5 +9,6 @@ pub mod file;
 pub mod pose_code;
 pub mod recorder;
 pub mod replay;
+pub mod resume;
 pub mod scene_code;
 pub mod tape;

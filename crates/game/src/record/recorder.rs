@@ -97,6 +97,15 @@ impl RecordWriter {
         self.record
     }
 
+    /// Ends the record with the whole state of the game, from which it can be resumed at once.
+    pub fn finish_with_state(mut self, game: &Game) -> Record {
+        let frame = self.record.frames();
+        if self.record.states.last().is_none_or(|last| last.frame < frame) {
+            self.record.states.push(StateFrame { frame, bytes: game.snapshot() });
+        }
+        self.finish(game)
+    }
+
     fn store_state(&mut self, frame: u32, game: &Game) {
         let bytes = game.snapshot();
         self.stored += bytes.len();
