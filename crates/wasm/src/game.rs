@@ -58,8 +58,8 @@ impl Game {
         Some(record.encode())
     }
 
-    /// Goes on with a recorded game where its record ends, and with the record. Bytes that are none,
-    /// or the record of a game that this engine computes otherwise, are an error.
+    /// Goes on with a recorded game where its record ends, and with the record. Bytes that are none
+    /// are an error, and so is the record of a game that this engine computes otherwise.
     pub fn resume(record: &[u8]) -> Result<Game, Error> {
         let record = Record::decode(record).map_err(Error::rejected)?;
         let (game, writer) = teeter_game::resume(record).map_err(Error::rejected)?;

@@ -34,6 +34,7 @@ export function connectDevices(store: PageStore, stage: Stage, play: Play): Game
     xray: () => store.set({ overlay: store.state.overlay === 'xray' ? 'none' : 'xray' }),
     mute: () => store.set({ muted: !store.state.muted }),
     help: () => store.set({ helpOpen: true }),
+    menu: () => store.set({ menuOpen: true }),
     steer: key => keys.action(key),
     escape: () => keys.escape(),
   });

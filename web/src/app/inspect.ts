@@ -2,7 +2,7 @@
 
 import { Vector3 } from 'three';
 import type { Client } from '../engine/client';
-import { sameSlot, type Contact, type Form } from '../engine/game-protocol';
+import { sameSlot, type Contact, type Form, type TurnState } from '../engine/game-protocol';
 import type { Constant, StateHash } from '../engine/protocol';
 import type { Hand } from '../hand/hand';
 import type { Pointers } from '../hand/pointers';
@@ -63,6 +63,10 @@ export interface Inspect {
   } | null;
   /** Centres of the free slots for the block in the hand, m. */
   readonly slots: number[][];
+  /** State of the turn; null in free play. */
+  readonly turn: TurnState | null;
+  /** Simulated time of the game that was saved last, s. */
+  readonly saved: number;
   readonly quarantined: number[];
   /**
    * Longest times for which the page's thread was blocked, ms: by a message of the worker, by one
@@ -72,6 +76,8 @@ export interface Inspect {
   hash(): Promise<StateHash>;
   /** Hashes of the states of all steps until a simulated time, s. */
   hashes(until: number): Promise<StateHash[]>;
+  /** Record of the game so far, with its state, as bytes. */
+  record(): Promise<number[]>;
   contacts(body: number): Promise<Contact[]>;
   /**
    * Screen position (CSS px) of a point of an unstrained block, m from its centre; the centre by
@@ -99,9 +105,10 @@ export interface Inspected {
   labels: Labels;
   client: Client;
   sound: Sound;
+  games: { readonly saved: number };
 }
 
-type Methods = 'hash' | 'hashes' | 'contacts' | 'screenOf' | 'project' | 'blockAt';
+type Methods = 'hash' | 'hashes' | 'record' | 'contacts' | 'screenOf' | 'project' | 'blockAt';
 type Getters = { [K in Exclude<keyof Inspect, Methods>]: () => Inspect[K] };
 
 export function createInspect(page: Inspected): Inspect {
@@ -110,6 +117,10 @@ export function createInspect(page: Inspected): Inspect {
   const methods: Pick<Inspect, Methods> = {
     hash: () => client.ask({ what: 'hash' }),
     hashes: until => client.ask({ what: 'hashes', until }),
+    async record() {
+      const record = await client.ask({ what: 'record', state: true });
+      return Array.from(record?.bytes ?? []);
+    },
     contacts: body => client.ask({ what: 'contacts', body }),
     screenOf(body, local = [0, 0, 0]) {
       const bodies = stage.bodies!;
@@ -127,7 +138,7 @@ export function createInspect(page: Inspected): Inspect {
   );
 }
 
-function gameGetters({ store, stage, hand }: Inspected) {
+function gameGetters({ store, stage, hand, games }: Inspected) {
   const frame = () => store.state.frame;
   const report = () => frame()?.update.report;
   return {
@@ -145,6 +156,8 @@ function gameGetters({ store, stage, hand }: Inspected) {
     springs: () => (frame() ? frame()!.update.spring_stiffness : (store.state.world?.springs ?? null)),
     poses: () => Array.from(stage.bodies?.newest ?? []),
     sizes: () => Array.from(stage.bodies?.sizes ?? []),
+    turn: () => frame()?.update.turn ?? null,
+    saved: () => games.saved,
     quarantined: () => frame()?.update.quarantined ?? [],
     selected: () => store.state.selected,
     hand: () => handFields(hand),

@@ -16,39 +16,40 @@ import { Labels } from '../xray/labels';
 import { XRayOverlay } from '../xray/overlay';
 import { Pointers } from '../hand/pointers';
 import { connectDevices } from './devices';
+import { Games } from './games';
 import { createInspect } from './inspect';
 import { Play } from './play';
 import { followColourScheme, Stage } from './stage';
-import { initialPage } from './state';
+import { initialPage, type PageStore } from './state';
 import { Store } from './store';
 import { missingFeature } from './support';
-import { readOptions } from './url';
+import { readOptions, type Options } from './url';
 
 function start(): void {
   fillDocument();
   const missing = missingFeature();
   if (missing) return showTrouble(missing);
   const options = readOptions(location.search);
-  const store = new Store(initialPage(options));
-  const stage = createStage();
+  const store = new Store(initialPage(options, modeOf(options.mode).match()));
+  const stage = createStage(options, store);
   if (!stage) return showTrouble(text.trouble.noWebGl);
   followColourScheme(store);
 
-  const mode = modeOf(options.mode);
   const notice = new Notice();
-  const play = new Play(store, stage, mode, notice, xray => stage.bodies && overlay.receive(xray, stage.bodies));
+  const play = new Play(store, stage, notice, xray => stage.bodies && overlay.receive(xray, stage.bodies));
   const { hand } = play;
   const labels = new Labels();
   const overlay = new XRayOverlay(store, hand, stage.view, labels);
   const frame = () => stage.frame();
   const pointers = new Pointers(stage.canvas, store, hand, stage.orbit, { bodies: () => stage.bodies, frame });
 
+  const games = new Games(store, stage, play, notice);
   new HelpDialog(store, options);
   new SettingsPanel(store, play, options);
   new SoundControls(store);
   new Gallery(play);
   const toolbar = new Toolbar(store, play);
-  const readouts = new Readouts(store, stage, mode);
+  const readouts = new Readouts(store, stage);
   const toggleSprings = () => store.set({ overlay: store.state.overlay === 'springs' ? 'none' : 'springs' });
   const springs = new SpringsLegend(toggleSprings, () => play.setForm('lattice'));
   const pads = connectDevices(store, stage, play);
@@ -58,7 +59,7 @@ function start(): void {
   };
   store.subscribe(['overlay'], showLegends);
 
-  play.start(options);
+  play.start(() => games.open());
   offerVersions(store, notice);
   stage.run(hand, {
     springs: () => store.state.overlay === 'springs',
@@ -74,14 +75,16 @@ function start(): void {
     },
     follow: (moved, now) => labels.follow(stage.bodies!, stage.orbit, moved, now),
   });
-  window.teeter = createInspect({ store, stage, hand, pointers, labels, client: play.client, sound: play.sound });
+  const { client, sound } = play;
+  window.teeter = createInspect({ store, stage, hand, pointers, labels, client, sound, games });
+}
 
-  function createStage(): Stage | null {
-    try {
-      return new Stage(options, store);
-    } catch {
-      return null;
-    }
+/** Returns null where the browser has no WebGL 2. */
+function createStage(options: Options, store: PageStore): Stage | null {
+  try {
+    return new Stage(options, store);
+  } catch {
+    return null;
   }
 }
 

@@ -2,10 +2,13 @@
 // sends.
 
 import { Client } from '../engine/client';
-import type { Form, Update } from '../engine/game-protocol';
-import type { Built, Frame, SceneEntry, XRay } from '../engine/protocol';
+import type { Form, HandUpdate, Update } from '../engine/game-protocol';
+import type { Built, Frame, SceneEntry, Setup, XRay } from '../engine/protocol';
 import { Hand } from '../hand/hand';
 import { text } from '../messages';
+import { games } from '../messages/games';
+import { modeOf } from '../modes';
+import { rulesOf, type Match } from '../modes/match';
 import type { Mode, ModeUi } from '../modes/mode';
 import { Sound } from '../sound/sound';
 import { showTrouble, type Notice } from '../ui/notice';
@@ -14,7 +17,6 @@ import { followGraphics } from './graphics';
 import { SlowMotion } from './slow-motion';
 import type { Stage } from './stage';
 import { setupOf, type PageStore, type Settings } from './state';
-import type { Options } from './url';
 
 /** Duration of a notice that reports an error, s. */
 const LONG = 8;
@@ -28,12 +30,12 @@ export class Play {
   private readonly slowMotion = new SlowMotion();
   private readonly delays: Delays;
   private readonly modeUi: ModeUi;
+  private opening: () => Promise<boolean> = async () => false;
 
   /** `xray` takes the X-ray of a tower at rest. */
   constructor(
     private readonly store: PageStore,
     private readonly stage: Stage,
-    private readonly mode: Mode,
     private readonly notice: Notice,
     private readonly xray: (xray: XRay) => void,
   ) {
@@ -46,6 +48,7 @@ export class Play {
       xray: xray => this.xray(xray),
       refused: message => {
         this.awaitStep();
+        if (!store.state.world) this.build();
         notice.show(text.notices.refused(message), LONG);
       },
       failed: message => {
@@ -61,8 +64,17 @@ export class Play {
     };
   }
 
-  /** Starts what depends on the state of the page. */
-  start(options: Options): void {
+  /** Mode that is played. */
+  get mode(): Mode {
+    return modeOf(this.store.state.match.mode);
+  }
+
+  /**
+   * Starts what depends on the state of the page. `opening` requests the first world, or returns
+   * false for that of the settings.
+   */
+  start(opening: () => Promise<boolean>): void {
+    this.opening = opening;
     const { store, client } = this;
     followGraphics(this.stage, this.notice);
     const pause = () => {
@@ -78,9 +90,10 @@ export class Play {
     });
     store.subscribe(['overlay'], () => this.stage.view.invalidate());
     store.subscribe(['world'], ({ world }) => {
-      const { canTurn: can_turn } = this.mode.rules(options);
+      const { canTurn: can_turn } = this.mode.rules();
       if (world) client.command({ command: 'set_hand', can_turn });
     });
+    store.subscribe(['speed'], ({ speed }) => client.setSpeed(speed));
   }
 
   /** Changes settings; they count from the next build. */
@@ -88,11 +101,33 @@ export class Play {
     this.store.set({ settings: { ...this.store.state.settings, ...change } });
   }
 
-  /** Builds the world of the settings. */
+  /** Builds the world of the settings, and begins the next game of the match. */
   build(): void {
+    const { settings, match } = this.store.state;
+    this.request(setupOf(settings, rulesOf(match, settings.seed)));
+  }
+
+  /** Goes on with a recorded game where it ended. */
+  resume(bytes: Uint8Array, match: Match, settings = this.store.state.settings): void {
+    this.store.set({ match, settings });
+    this.request({ ...setupOf(this.store.state.settings, null), source: { kind: 'record', bytes } });
+  }
+
+  /** Begins a match. */
+  begins(match: Match, change: Partial<Settings> = {}): void {
+    this.store.set({ match });
+    this.rebuild(change);
+  }
+
+  /** Begins the next game of the match, on a tower of other blocks. */
+  again(): void {
+    this.rebuild({ seed: this.store.state.settings.seed + 1 });
+  }
+
+  private request(setup: Setup): void {
     this.hand.letGo();
     this.delays.begin('world');
-    this.client.build(setupOf(this.store.state.settings));
+    this.client.build(setup);
   }
 
   /** Changes settings and builds their world. */
@@ -127,7 +162,7 @@ export class Play {
     const scenes = list.filter(entry => !COVERED.includes(entry.name));
     this.store.set({ scenes });
     if (!scenes.some(entry => entry.name === this.store.state.settings.scene)) this.change({ scene: null });
-    this.build();
+    void this.opening().then(opened => opened || this.build());
   }
 
   private setBlocks(form: Form): void {
@@ -138,7 +173,10 @@ export class Play {
   private begin(world: Built): void {
     this.stage.begin(world);
     this.slowMotion.reset();
-    this.store.set({ world, frame: null, form: world.form, selected: null, paused: false });
+    const maxForce = Math.min(this.store.state.maxForce, world.rules?.max_force ?? Infinity);
+    // A game that goes on may have a block in the hand: it waits until that is known.
+    this.store.set({ maxForce, frame: null, selected: null, paused: world.resumed, speed: 1 });
+    this.store.set({ world, form: world.form });
     this.awaitStep();
   }
 
@@ -146,17 +184,27 @@ export class Play {
     const { store, mode } = this;
     const { update } = frame;
     if (!store.state.world) return;
+    const { match, speed } = store.state;
+    const resumes = store.state.world.resumed && store.state.frame === null;
     this.awaitStep();
     this.stage.receive(frame);
     this.reportQuarantined(update);
     store.set({ frame });
     // The form changes only by a command; the device's choice then no longer counts.
     if (update.form !== store.state.form.value) store.set({ form: { value: update.form, chosen: false } });
+    if (resumes) this.goOn(update.hand);
     this.hand.receive(frame);
     this.sound.receive(frame);
-    for (const event of update.events) mode.onEvent(event, this.modeUi);
+    for (const event of update.events) mode.onEvent(event, this.modeUi, match);
     for (const command of mode.commands?.(update) ?? []) this.client.command(command);
-    if (this.slowMotion.begins(frame.factor)) this.notice.show(text.notices.slow(frame.factor));
+    if (this.slowMotion.begins(frame.factor / speed)) this.notice.show(text.notices.slow(frame.factor));
+  }
+
+  /** Goes on with a resumed game, or waits for the player to take over the block in the hand. */
+  private goOn(hand: HandUpdate | null): void {
+    if (hand) this.hand.adopt(hand);
+    if (this.hand.holds) this.notice.show(games.records.resumedHolding, LONG);
+    else this.store.set({ paused: false });
   }
 
   private isPaused(): boolean {

@@ -11,6 +11,7 @@ export interface ShortcutActions {
   frame(): void;
   springs(): void;
   help?(): void;
+  menu?(): void;
   xray?(): void;
   mute?(): void;
   /** Returns what a key does for the hand. */
@@ -70,6 +71,7 @@ function gameKeys(hand: Hand, actions: ShortcutActions): Bindings {
   };
   if (actions.xray) keys.x = actions.xray;
   if (actions.mute) keys.m = actions.mute;
+  if (actions.menu) keys.g = actions.menu;
   if (actions.help) keys.h = keys['?'] = actions.help;
   return keys;
 }

@@ -99,7 +99,8 @@ export class Stage {
     this.lattices.arrive(null);
     this.forces.reset();
     this.view.begin(this.bodies);
-    this.frame(first ? FIRST_AZIMUTH : undefined);
+    // A turn that is taken back leaves the camera where it is.
+    if (first || !world.resumed) this.frame(first ? FIRST_AZIMUTH : undefined);
   }
 
   receive({ poses, lattices }: Frame<TimedReport>): void {

@@ -1,7 +1,17 @@
 // Fields of the page's state.
 
 import type { Form, GripMode, TimedReport } from '../engine/game-protocol';
-import type { BlockPreset, Built, Constant, Frame, SceneEntry, Setup } from '../engine/protocol';
+import type {
+  BlockPreset,
+  Built,
+  Constant,
+  Frame,
+  RulesChoice,
+  SceneEntry,
+  SceneSource,
+  Setup,
+} from '../engine/protocol';
+import type { Match } from '../modes/match';
 import { recallSound } from '../sound/remembered';
 import type { Reading } from '../xray/readings';
 import { recall } from './memory';
@@ -58,6 +68,10 @@ export interface PageState extends PlayState<Frame> {
   readings: Reading[] | null;
   /** Current blocks: chosen at the build, and changed by the player later. */
   form: Constant<Form>;
+  /** Mode, players and rules. */
+  match: Match;
+  /** Simulated time per wall time that the page asks for. */
+  speed: number;
   panelOpen: boolean;
   helpOpen: boolean;
   /** Volume of the sound, 0 to 1. */
@@ -65,6 +79,7 @@ export interface PageState extends PlayState<Frame> {
   muted: boolean;
   /** True if the phone or the gamepad may vibrate. */
   vibration: boolean;
+  menuOpen: boolean;
 }
 
 export type PageStore = Store<PageState>;
@@ -91,7 +106,7 @@ export function initialPlay(options: Options): PlayState<never> {
   };
 }
 
-export function initialPage(options: Options): PageState {
+export function initialPage(options: Options, match: Match): PageState {
   const { scene, rows, seed, block, sleep, stiffness, form, springs } = options;
   return {
     ...initialPlay(options),
@@ -100,14 +115,18 @@ export function initialPage(options: Options): PageState {
     overlay: 'none',
     readings: null,
     form: { value: 'rigid', chosen: false },
+    match,
+    speed: 1,
     panelOpen: false,
     helpOpen: false,
     ...recallSound(),
     vibration: recall('vibration') !== 'false',
+    menuOpen: false,
   };
 }
 
-/** Returns the setup of a world with these settings. */
-export function setupOf({ scene, rows, seed, block, ...rest }: Settings): Setup {
-  return { source: scene ? { kind: 'named', name: scene } : { kind: 'tower', rows, seed, block }, ...rest };
+/** Returns the setup of a world with these settings, played by rules. */
+export function setupOf({ scene, rows, seed, block, ...rest }: Settings, rules: RulesChoice | null): Setup {
+  const source: SceneSource = scene ? { kind: 'named', name: scene } : { kind: 'tower', rows, seed, block };
+  return { source, ...rest, rules };
 }

@@ -60,6 +60,11 @@ export class Client<S = Setup, F extends Frame<TimedReport> = Frame> {
     this.send({ type: 'pause', paused });
   }
 
+  /** Sets the simulated time per wall time. */
+  setSpeed(speed: number): void {
+    this.send({ type: 'speed', speed });
+  }
+
   watch(watched: Watched): void {
     this.send({ type: 'watch', watched });
   }

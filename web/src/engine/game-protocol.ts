@@ -57,7 +57,9 @@ export type GameCommand =
    */
   | { command: 'set_hand'; max_force?: number; careful?: boolean; can_turn?: boolean }
   /** Changes the blocks gradually. Stiffness in N/m; null for that of the contacts. */
-  | { command: 'set_blocks'; form: Form; spring_stiffness: number | null };
+  | { command: 'set_blocks'; form: Form; spring_stiffness: number | null }
+  /** The player whose turn it is gives up. */
+  | { command: 'resign' };
 
 /** A loaded contact of a body; `other` is null for the table. */
 export interface Contact {
@@ -101,6 +103,31 @@ export interface HandUpdate {
   contacts: Contact[];
 }
 
+/** Rules that a player broke; `body` is the block that it is about. */
+export interface Illegal {
+  rule:
+    | 'over'
+    | 'not_over'
+    | 'too_high'
+    | 'bottom_row'
+    | 'not_in_tower'
+    | 'not_thrown'
+    | 'put_back_first'
+    | 'must_take'
+    | 'one_block'
+    | 'not_taken_out'
+    | 'too_strong'
+    | 'block_form';
+  body?: number;
+}
+
+/** Face of the die: rows and cells that it allows. */
+export interface Throw {
+  row: 'even' | 'odd';
+  cell: 'middle' | 'end' | 'any';
+}
+
+/** Players count from 0. */
 export type GameEvent =
   | { event: 'grasped'; body: number }
   | { event: 'released'; body: number }
@@ -108,7 +135,50 @@ export type GameEvent =
   | { event: 'poked'; body: number }
   /** The bodies that fell in this step. */
   | { event: 'fell'; bodies: number[] }
-  | { event: 'refused'; reason: string };
+  | { event: 'refused'; reason: string }
+  | { event: 'illegal'; rule: Illegal; reason: string }
+  | { event: 'turn_started'; player: number; number: number }
+  | { event: 'thrown'; throw: Throw }
+  | { event: 'nudged'; player: number; body: number }
+  | { event: 'put_back'; player: number; body: number }
+  | { event: 'removed'; player: number; body: number }
+  | { event: 'settled'; player: number }
+  | { event: 'scored'; player: number; points: number }
+  | { event: 'resigned'; player: number }
+  | { event: 'timed_out'; player: number }
+  | { event: 'lost'; player: number }
+  | { event: 'won'; player: number }
+  | { event: 'rebuilt' };
+
+/** Part of a turn: no block was moved; one was moved; one is out; the tower comes to rest. */
+export type Phase = 'choosing' | 'removing' | 'placing' | 'settling' | 'over';
+
+export interface Outcome {
+  loser: number | null;
+  winner: number | null;
+}
+
+/** State of the turn. Players count from 0. */
+export interface TurnState {
+  /** From 1. */
+  number: number;
+  player: number;
+  phase: Phase;
+  /** Time since the turn began without that of settling, s. */
+  elapsed_s: number;
+  /** Time left of the turn, s; null without a clock. */
+  left_s: number | null;
+  /** Block that was moved, taken out or placed in this turn. */
+  block: number | null;
+  /** Blocks that may be touched now. */
+  removable: number[];
+  throw: Throw | null;
+  /** Points of each player; empty where there is no score. */
+  scores: number[];
+  /** Players who are out. */
+  out: number[];
+  outcome: Outcome | null;
+}
 
 export type TowerState = 'standing' | 'moving' | 'fallen';
 
@@ -147,6 +217,8 @@ export interface Update<R extends TimedReport = StepReport> {
   form: Form;
   /** Current stiffness of the springs inside the blocks, N/m; null where they are rigid. */
   spring_stiffness: number | null;
+  /** Absent in free play. */
+  turn?: TurnState;
   events: GameEvent[];
 }
 

@@ -2,8 +2,10 @@
 
 import { LATTICE_STRIDE, maxDeformation, strains } from '../view/lattice';
 import { Game as WasmGame, Listener } from '../wasm/teeter_wasm.js';
+import { rounded } from './command-rounding';
 import { FRAME, POSE_STRIDE, type Contact, type Form } from './game-protocol';
 import type { GameCommand, Update } from './game-protocol';
+import type { RecordState, Rules, RulesChoice } from './protocol';
 import { particleOffset } from './scene';
 
 /** Displacement of a block's corner by deformation from which it is visible, m. */
@@ -14,20 +16,33 @@ export class Game {
   readonly length: number;
   /** Distance of the particles from the block's centre along each axis, over half the edge. */
   readonly particleOffset: number;
-  private readonly game: WasmGame;
+  readonly rules: Rules;
   private readonly edges: Float32Array;
   private listener: Listener | null = null;
 
-  /** Throws an Error whose message is for the user. */
-  constructor(
+  /** `scene` describes the blocks, whatever has become of them since. */
+  private constructor(
+    private readonly game: WasmGame,
     scene: string,
-    sleep: boolean,
     private readonly memory: WebAssembly.Memory,
   ) {
-    this.game = new WasmGame(scene, JSON.stringify({ sleep, frame: FRAME }));
     this.length = this.game.length;
     this.edges = Float32Array.from(this.game.sizes());
     this.particleOffset = particleOffset(scene);
+    this.rules = JSON.parse(this.game.ownRules()) as Rules;
+  }
+
+  /** Begins a game, which is recorded. Throws an Error whose message is for the user. */
+  static begin(scene: string, sleep: boolean, rules: RulesChoice | null, memory: WebAssembly.Memory): Game {
+    const game = new WasmGame(scene, JSON.stringify({ sleep, frame: FRAME }), rules ? rulesText(rules) : '');
+    game.startRecord();
+    return new Game(game, scene, memory);
+  }
+
+  /** Goes on with a recorded game. Throws an Error whose message is for the user. */
+  static resume(record: Uint8Array, memory: WebAssembly.Memory): Game {
+    const game = WasmGame.resume(record);
+    return new Game(game, game.scene(), memory);
   }
 
   free(): void {
@@ -100,6 +115,12 @@ export class Game {
     return JSON.parse(this.game.contacts(body)) as Contact[];
   }
 
+  /** Record of the game so far as bytes; with its state it is resumed at once. */
+  record(state: boolean): RecordState | null {
+    const bytes = this.game.record(state);
+    return bytes ? { bytes, time: this.time() } : null;
+  }
+
   /** Returns true if the command to place the body would be carried out. */
   canPlace(body: number): boolean {
     return body < this.length && this.game.canPlace(body);
@@ -107,11 +128,16 @@ export class Game {
 
   /** Carries out a command and steps by a frame. */
   step(command: GameCommand): Update {
-    return JSON.parse(this.game.step(JSON.stringify(command))) as Update;
+    return JSON.parse(this.game.step(JSON.stringify(rounded(command)))) as Update;
   }
 
   /** Memory may have grown since the last view, so each one is new. */
   private poseView(): Float64Array {
     return new Float64Array(this.memory.buffer, this.game.posesPtr(), this.length * POSE_STRIDE);
   }
+}
+
+/** Rules as the engine takes them. */
+function rulesText({ table, players, ...changes }: RulesChoice): string {
+  return JSON.stringify({ ...(JSON.parse(WasmGame.rules(table, players)) as Rules), ...changes });
 }

@@ -31,6 +31,16 @@ export class Loop {
     };
   }
 
+  /** Sets the simulated time per wall time. */
+  setSpeed(speed: number): void {
+    this.pace.advance(this.now());
+    this.pace.speed = speed;
+    // A timer may wait for longer than the next step is away now.
+    if (this.timer !== null) clearTimeout(this.timer);
+    this.timer = null;
+    this.schedule();
+  }
+
   /** Starts again; the time that has passed is not owed. */
   restart(): void {
     if (this.timer !== null) clearTimeout(this.timer);

@@ -8,6 +8,8 @@
 export class Pace {
   private debt = 0;
   private last: number | null = null;
+  /** Simulated time per wall time. */
+  speed = 1;
 
   /** `frame`: time of a step, s. `maxDebt`: time that may be owed, s. */
   constructor(
@@ -17,7 +19,10 @@ export class Pace {
 
   /** Takes the wall time, s. */
   advance(now: number): void {
-    if (this.last !== null) this.debt = Math.min(this.debt + Math.max(0, now - this.last), this.maxDebt);
+    if (this.last !== null) {
+      const due = this.speed * Math.max(0, now - this.last);
+      this.debt = Math.min(this.debt + due, this.maxDebt * Math.max(1, this.speed));
+    }
     this.last = now;
   }
 
@@ -29,9 +34,9 @@ export class Pace {
     return true;
   }
 
-  /** Returns the time until the next step is due, s. */
+  /** Returns the wall time until the next step is due, s. */
   wait(): number {
-    return Math.max(0, this.frame - this.debt);
+    return Math.max(0, this.frame - this.debt) / this.speed;
   }
 
   /** Resets the debt, as after a pause. */

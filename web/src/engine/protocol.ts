@@ -4,9 +4,36 @@ import type { Contact, Form, GameCommand, StepReport, TimedReport, Update } from
 
 export type BlockPreset = 'dissertation' | 'official';
 
+/** Names of the tables of rules. */
+export type TableName = 'free' | 'official' | 'strict' | 'friendly' | 'dissertation' | 'solo' | 'throw-and-go';
+
+/** Choice of rules: a table, and what differs from it. */
+export interface RulesChoice {
+  table: TableName;
+  players: number;
+  /** Player who begins, from 0. */
+  first?: number;
+  /** Seed of the die. */
+  die?: number;
+}
+
+/** Rules of a world. */
+export interface Rules extends Required<Omit<RulesChoice, 'die'>> {
+  /** Time of a turn, s; null without a clock. */
+  turn_s: number | null;
+  /** Longest time of settling, s. */
+  settle_s: number;
+  /** Largest force that the hand may be given, N. */
+  max_force: number;
+  points: { block: number; row: number } | null;
+}
+
 /** Source of the scene that a world is built from. */
 export type SceneSource =
-  { kind: 'tower'; rows: number; seed: number; block: BlockPreset } | { kind: 'named'; name: string };
+  | { kind: 'tower'; rows: number; seed: number; block: BlockPreset }
+  | { kind: 'named'; name: string }
+  /** A recorded game, which goes on where it ended. */
+  | { kind: 'record'; bytes: Uint8Array };
 
 /** Scene of a world and the choices that go with it. */
 export interface Setup {
@@ -19,6 +46,8 @@ export interface Setup {
   form: Form | null;
   /** Stiffness of the springs inside the blocks, N/m; null for that of the contacts. */
   springs: number | null;
+  /** Null for free play. */
+  rules: RulesChoice | null;
 }
 
 /** A constant of a tower. */
@@ -74,6 +103,10 @@ export interface Built {
    * edge.
    */
   particleOffset: number;
+  /** Null where the simulator knows no rules. */
+  rules: Rules | null;
+  /** True for a game that goes on from its record. */
+  resumed: boolean;
 }
 
 /** Contact forces of a tower at rest; sent when rest begins and when it ends. */
@@ -82,6 +115,12 @@ export interface XRay {
   world: number;
   /** Two numbers per body as in xray/readings.ts; null while the tower moves. */
   forces: Float32Array | null;
+}
+
+/** Record of a game so far, and its simulated time, s. */
+export interface RecordState {
+  bytes: Uint8Array;
+  time: number;
 }
 
 /** Hash of a state, and its simulated time, s. */
@@ -93,12 +132,22 @@ export interface StateHash {
 /**
  * Questions about the present state, and about the states of all steps until a simulated time, s.
  */
-export type Question = { what: 'hash' } | { what: 'hashes'; until: number } | { what: 'contacts'; body: number };
+export type Question =
+  | { what: 'hash' }
+  | { what: 'hashes'; until: number }
+  | { what: 'contacts'; body: number }
+  /** Record of the game so far; with its state it is resumed at once. */
+  | { what: 'record'; state: boolean }
+  | { what: 'xray' };
 export type Answer<Q extends Question> = Q extends { what: 'hash' }
   ? StateHash
   : Q extends { what: 'hashes' }
     ? StateHash[]
-    : Contact[];
+    : Q extends { what: 'record' }
+      ? RecordState | null
+      : Q extends { what: 'xray' }
+        ? Float32Array
+        : Contact[];
 
 /** Parts of the page that need more from a frame than its poses. */
 export interface Watched {
@@ -113,6 +162,8 @@ export type ToWorker<S = Setup> =
   | { type: 'build'; world: number; setup: S }
   | { type: 'command'; world: number; number: number; command: GameCommand }
   | { type: 'pause'; paused: boolean }
+  /** Simulated time per wall time. */
+  | { type: 'speed'; speed: number }
   | { type: 'watch'; watched: Watched }
   | { type: 'ask'; id: number; question: Question };
 

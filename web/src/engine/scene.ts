@@ -37,7 +37,10 @@ export function particleOffset(scene: string): number {
  * Returns the scene as JSON with what `choose` returns.
  * Throws an Error whose message is for the user.
  */
-export function sceneText(source: SceneSource, choose: (defaults: SceneDefaults) => Choice): string {
+export function sceneText(
+  source: Exclude<SceneSource, { kind: 'record' }>,
+  choose: (defaults: SceneDefaults) => Choice,
+): string {
   const text =
     source.kind === 'named'
       ? namedScene(source.name)

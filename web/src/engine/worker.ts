@@ -8,7 +8,7 @@ import { Game } from './game';
 import { FRAME, type Update } from './game-protocol';
 import { Loop } from './loop';
 import { Speedometer } from './pacing';
-import type { FromWorker, Question, SceneEntry, StateHash, ToWorker, Watched } from './protocol';
+import type { FromWorker, Question, SceneEntry, Setup, StateHash, ToWorker, Watched } from './protocol';
 import { sceneText } from './scene';
 import { errorText, guarded } from './worker-errors';
 
@@ -90,16 +90,11 @@ function restart(): void {
 
 /** Builds a world; where that fails the previous one goes on. */
 function build({ world: number, setup }: Extract<ToWorker, { type: 'build' }>): void {
-  const { source, sleep, stiffness, form, springs } = setup;
   let next: Game;
-  let chosen = false;
+  let chosen = { stiffness: false, form: false };
   try {
-    const scene = sceneText(source, defaults => {
-      const wanted = { stiffness, form: form ?? defaults.form, springs: springs ?? defaults.springs };
-      chosen = wanted.form === null;
-      return { ...device.choose(defaults.blocks, wanted), springs: wanted.springs };
-    });
-    next = new Game(scene, sleep, memory);
+    if (setup.source.kind === 'record') next = Game.resume(setup.source.bytes, memory);
+    else ({ next, chosen } = beginGame(setup.source, setup));
   } catch (error) {
     send({ type: 'refused', world: number, message: errorText(error) });
     return;
@@ -115,12 +110,25 @@ function build({ world: number, setup }: Extract<ToWorker, { type: 'build' }>): 
     world,
     sizes: game.sizes(),
     poses: game.poses(),
-    stiffness: { value: game.stiffness, chosen: stiffness === null },
-    form: { value: game.form, chosen },
+    stiffness: { value: game.stiffness, chosen: chosen.stiffness },
+    form: { value: game.form, chosen: chosen.form },
     springs: game.springStiffness,
     particleOffset: game.particleOffset,
+    rules: game.rules,
+    resumed: setup.source.kind === 'record',
   });
   restart();
+}
+
+function beginGame(source: Parameters<typeof sceneText>[0], setup: Setup) {
+  const { sleep, stiffness, form, springs, rules } = setup;
+  const chosen = { stiffness: stiffness === null, form: false };
+  const scene = sceneText(source, defaults => {
+    const wanted = { stiffness, form: form ?? defaults.form, springs: springs ?? defaults.springs };
+    chosen.form = wanted.form === null;
+    return { ...device.choose(defaults.blocks, wanted), springs: wanted.springs };
+  });
+  return { next: Game.begin(scene, sleep, rules, memory), chosen };
 }
 
 function watch(game: Game | null, next: Watched): void {
@@ -137,9 +145,21 @@ function answer(id: number, question: Question): void {
     recordings.push({ id, until: question.until, states: [] });
     return;
   }
-  let value: unknown = null;
-  if (game) value = question.what === 'hash' ? { hash: game.hash(), time: game.time() } : game.contacts(question.body);
+  const value = game && valueOf(game, question);
   send({ type: 'answer', id, value });
+}
+
+function valueOf(game: Game, question: Exclude<Question, { what: 'hashes' }>): unknown {
+  switch (question.what) {
+    case 'hash':
+      return { hash: game.hash(), time: game.time() };
+    case 'contacts':
+      return game.contacts(question.body);
+    case 'record':
+      return game.record(question.state);
+    case 'xray':
+      return game.xray();
+  }
 }
 
 function receive(message: ToWorker): void {
@@ -152,7 +172,12 @@ function receive(message: ToWorker): void {
       break;
     case 'pause':
       paused = message.paused;
+      // A page that pauses a new world still needs its state.
+      if (paused && game && !last) step(game);
       restart();
+      break;
+    case 'speed':
+      loop.setSpeed(message.speed);
       break;
     case 'watch':
       watch(game, message.watched);

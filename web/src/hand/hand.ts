@@ -8,7 +8,7 @@ import type { Bodies } from '../view/bodies';
 import type { Orbit } from '../view/orbit';
 import type { Hit } from '../view/picking';
 import { carrying } from './gestures/carrying';
-import { move } from './gestures/gesture';
+import { gestureOf, move } from './gestures/gesture';
 import type { GestureContext, GestureFactory, GestureName, GestureState, Grasp, Transition } from './gestures/gesture';
 import { idle } from './gestures/idle';
 import { placing } from './gestures/placing';
@@ -107,6 +107,13 @@ export class Hand {
     });
     this.grasp = { body, displacement: new Vector3(), command };
     this.enter('pressing');
+    this.store.set({ selected: body });
+  }
+
+  /** Takes over a block that the hand of the game holds already. */
+  adopt({ body, grip, placing, poking }: HandUpdate): void {
+    this.grasp = { body, displacement: new Vector3(), command: 0 };
+    this.enter(placing ? 'placing' : poking ? 'poking' : gestureOf(grip));
     this.store.set({ selected: body });
   }
 

@@ -4,6 +4,7 @@ import { holdersOf } from '../hand/hand';
 import { capitalized } from '../ui/dom';
 import { heldBy } from '../ui/force-ring';
 import { text } from '../messages';
+import { matchOf, person } from './match';
 import type { Mode, ModeUi } from './mode';
 
 /** True once the fall of the tower has been reported; later events name further blocks. */
@@ -11,6 +12,7 @@ let reported = false;
 
 export const free: Mode = {
   id: 'free',
+  match: () => matchOf('free', 'free', [person('')]),
   rules() {
     reported = false;
     return { canTurn: true };

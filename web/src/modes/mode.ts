@@ -1,10 +1,10 @@
 // A mode of play: its rules, and what it shows and says. Each mode is a file; index.ts lists them.
 
-import type { Options } from '../app/url';
 import type { Contact, GameCommand, GameEvent, Update } from '../engine/game-protocol';
+import type { Match } from './match';
 
 /** Rules for the hand of a player. */
-export interface Rules {
+export interface HandRules {
   /** True if the hand can turn a carried block. */
   canTurn: boolean;
 }
@@ -25,11 +25,17 @@ export interface ModeUi {
 
 export interface Mode {
   readonly id: string;
-  /** Rules for the options of the page. */
-  rules(options: Options): Rules;
+  /** Match of an address that names the mode. */
+  match(): Match;
+  /** Rules for the hand in a new game. */
+  rules(): HandRules;
+  /** True if turns can be taken back. */
+  readonly undo?: boolean;
+  /** True if the page only watches, as in a replay. */
+  readonly watches?: boolean;
   /** Overlay after an update of a tower of `blocks` blocks. */
-  overlay(update: Update, blocks: number): ModeOverlay;
-  onEvent(event: GameEvent, ui: ModeUi): void;
-  /** Commands of the mode itself after an update, as of an opponent. */
+  overlay(update: Update, blocks: number, match: Match): ModeOverlay;
+  onEvent(event: GameEvent, ui: ModeUi, match: Match): void;
+  /** Commands of the mode itself after an update. */
   commands?(update: Update): GameCommand[];
 }

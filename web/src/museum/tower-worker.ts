@@ -111,7 +111,7 @@ function build({ world: number, setup }: { world: number; setup: MuseumSetup }):
     const scene = sceneText(source, choose);
     next = {
       old: show === 'engine' ? null : new Game2003(scene, constants, memory.old),
-      engine: show === 'old' ? null : new Game(scene, true, memory.engine),
+      engine: show === 'old' ? null : Game.begin(scene, true, null, memory.engine),
     };
   } catch (error) {
     send({ type: 'refused', world: number, message: errorText(error) });
@@ -134,6 +134,8 @@ function build({ world: number, setup }: { world: number; setup: MuseumSetup }):
     springs: null,
     // The particles of 2003 are the corners.
     particleOffset: 1,
+    rules: null,
+    resumed: false,
   });
   restart();
 }

@@ -4,23 +4,23 @@ import { SLOW } from '../app/slow-motion';
 import type { Stage } from '../app/stage';
 import type { PageStore } from '../app/state';
 import { text } from '../messages';
-import type { Mode } from '../modes/mode';
+import { modeOf } from '../modes';
 import { element, setText } from './dom';
 
 export class Readouts {
   constructor(
     private readonly store: PageStore,
     private readonly stage: Stage,
-    private readonly mode: Mode,
   ) {}
 
   show(): void {
-    const { frame, paused, panelOpen } = this.store.state;
+    const { frame, paused, panelOpen, match, speed } = this.store.state;
     const blocks = this.stage.bodies?.count ?? 0;
-    const status = frame ? this.mode.overlay(frame.update, blocks).status : text.readouts.blocks(blocks);
+    const status = frame ? modeOf(match.mode).overlay(frame.update, blocks, match).status : text.readouts.blocks(blocks);
     setText('state', paused ? text.readouts.paused(blocks) : status);
     setText('fps', text.readouts.fps(this.stage.fps));
-    const factor = frame?.factor ?? 1;
+    // A slow motion that the page asks for is no fault of the device.
+    const factor = (frame?.factor ?? speed) / speed;
     const slow = !paused && factor < SLOW;
     setText('factor', slow ? text.readouts.slow(factor) : text.readouts.real(factor));
     element('factor').classList.toggle('slow', slow);

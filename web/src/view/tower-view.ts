@@ -118,6 +118,7 @@ export class TowerView {
     geometry.setAttribute('seed', new InstancedBufferAttribute(seeds, 4));
     geometry.setAttribute('scale3', new InstancedBufferAttribute(scales, 3));
     geometry.setAttribute('tint', new InstancedBufferAttribute(new Float32Array(4 * bodies.count), 4));
+    geometry.setAttribute('hatch', new InstancedBufferAttribute(new Float32Array(bodies.count), 1));
     this.mesh = new InstancedMesh(geometry, this.wood.material, bodies.count);
     this.mesh.instanceMatrix.setUsage(DynamicDrawUsage);
     this.mesh.frustumCulled = false;
@@ -194,6 +195,15 @@ export class TowerView {
       tint.setXYZW(body, colour.r, colour.g, colour.b, stain ? part : 0);
     }
     tint.needsUpdate = true;
+    this.stale = true;
+  }
+
+  /** Hatches blocks. */
+  hatch(blocks: ReadonlySet<number>): void {
+    const hatch = this.mesh?.geometry.getAttribute('hatch');
+    if (!hatch) return;
+    for (let body = 0; body < hatch.count; body++) hatch.setX(body, blocks.has(body) ? 1 : 0);
+    hatch.needsUpdate = true;
     this.stale = true;
   }
 

@@ -61,6 +61,11 @@ vec4 wood(vec3 p, vec3 n, vec4 seed) {
 
 /** Adds wood, stain and ambient occlusion to the shader of a lit material. */
 export function addWood(shader: WebGLProgramParametersWithUniforms): void {
+  addVertices(shader);
+  addFragments(shader);
+}
+
+function addVertices(shader: WebGLProgramParametersWithUniforms): void {
   shader.vertexShader = shader.vertexShader
     .replace(
       '#include <common>',
@@ -68,7 +73,9 @@ export function addWood(shader: WebGLProgramParametersWithUniforms): void {
       attribute vec4 seed;
       attribute vec3 scale3;
       attribute vec4 tint;
+      attribute float hatch;
       varying vec4 vTint;
+      varying float vHatch;
       varying vec3 vGrain;
       varying vec3 vFace;
       varying vec4 vSeed;
@@ -82,14 +89,19 @@ export function addWood(shader: WebGLProgramParametersWithUniforms): void {
       vFace = normal;
       vSeed = seed;
       vTint = tint;
+      vHatch = hatch;
       vSpot = (instanceMatrix * vec4(position, 1.0)).xyz;
       vOut = normalize(mat3(instanceMatrix) * normal);`,
     );
+}
+
+function addFragments(shader: WebGLProgramParametersWithUniforms): void {
   shader.fragmentShader = shader.fragmentShader
     .replace(
       '#include <common>',
       `#include <common>
       varying vec4 vTint;
+      varying float vHatch;
       varying vec3 vGrain;
       varying vec3 vFace;
       varying vec4 vSeed;
@@ -99,14 +111,19 @@ export function addWood(shader: WebGLProgramParametersWithUniforms): void {
       ${woodShader}
       // A stain encodes a number: part of its colour does not depend on the light.
       #define STAIN_LIT 0.45
-      #define STAIN_OWN 0.5`,
+      #define STAIN_OWN 0.5
+      // Period of a hatching, m, across its lines, which run askew over every face.
+      #define HATCH 0.009`,
     )
     .replace(
       '#include <color_fragment>',
       `vec4 cut = wood(vGrain, vFace, vSeed);
       // The grain shows through a stain.
       float grain = 0.7 + 0.5 * dot(cut.rgb, vec3(0.30, 0.59, 0.11));
-      diffuseColor.rgb = mix(cut.rgb, STAIN_LIT * vTint.rgb * grain, vTint.a);`,
+      diffuseColor.rgb = mix(cut.rgb, STAIN_LIT * vTint.rgb * grain, vTint.a);
+      float across = dot(vGrain, vec3(1.0)) / HATCH;
+      float line = smoothstep(0.1, 0.1 + 2.0 * fwidth(across), abs(fract(across) - 0.5) - 0.06);
+      diffuseColor.rgb *= 1.0 - 0.42 * vHatch * (1.0 - line);`,
     )
     .replace('#include <roughnessmap_fragment>', `float roughnessFactor = mix(cut.w, 1.0, vTint.a);`)
     .replace('#include <emissivemap_fragment>', `totalEmissiveRadiance += STAIN_OWN * vTint.rgb * grain * vTint.a;`)

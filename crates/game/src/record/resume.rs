@@ -7,7 +7,7 @@ use crate::record::recorder::RecordWriter;
 use crate::record::replay::Replay;
 
 /// Returns the game of a record where the record ends, and the writer that goes on with it. It is
-/// the game that was recorded, bit for bit. A state that the record has at its end saves the replay.
+/// the game that was recorded, bit for bit. A state at the end of the record saves the replay.
 ///
 /// # Errors
 /// When no game begins like this, or the replay is not the same.

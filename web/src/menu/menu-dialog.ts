@@ -1,0 +1,100 @@
+// The menu: choose a mode of play and its rules, and begin.
+
+import type { PageStore } from '../app/state';
+import { games } from '../messages/games';
+import type { Match } from '../modes/match';
+import { create, icon } from '../ui/dom';
+import { MatchForm } from './match-form';
+
+export interface MenuActions {
+  begin(match: Match, rows: number): void;
+  resign(): void;
+}
+
+/** Modes that the menu offers, in their order. */
+export interface MenuEntry {
+  id: keyof typeof games.modes;
+  symbol: string;
+  match(): Match;
+}
+
+export class MenuDialog {
+  private readonly dialog = create('dialog', { id: 'menu', 'aria-labelledby': 'menu-title' });
+  private readonly form: MatchForm;
+  private readonly cards: HTMLButtonElement[];
+  private readonly resign = create('button', { id: 'menu-resign', class: 'plain' }, games.menu.resign);
+  /** Room above the modes, as for an unfinished game. */
+  readonly top = create('div', { id: 'menu-top' });
+
+  constructor(
+    private readonly store: PageStore,
+    private readonly entries: readonly MenuEntry[],
+    actions: MenuActions,
+  ) {
+    const open = create('button', { id: 'menu-open', class: 'pill', title: games.menu.openTitle });
+    open.append(icon('i-games'), create('span', {}, games.menu.open));
+    open.addEventListener('click', () => store.set({ menuOpen: true }));
+    document.body.append(open, this.dialog);
+    this.form = new MatchForm((match, rows) => {
+      this.dialog.close();
+      actions.begin(match, rows);
+    });
+    this.cards = entries.map(entry => this.card(entry));
+    this.resign.addEventListener('click', () => {
+      this.dialog.close();
+      actions.resign();
+    });
+    this.dialog.append(
+      this.head(),
+      this.top,
+      create('div', { id: 'modes', role: 'group', 'aria-label': games.menu.title }, ...this.cards),
+      this.form.node,
+      create('div', { class: 'buttons' }, this.resign),
+    );
+    this.dialog.addEventListener('close', () => store.set({ menuOpen: false }));
+    store.subscribe(['menuOpen'], ({ menuOpen }) => {
+      if (menuOpen && !this.dialog.open) this.show();
+    });
+  }
+
+  get open(): boolean {
+    return this.dialog.open;
+  }
+
+  close(): void {
+    this.dialog.close();
+  }
+
+  private show(): void {
+    const { match, settings, frame } = this.store.state;
+    const turn = frame?.update.turn;
+    this.resign.hidden = !turn || turn.phase === 'over';
+    this.choose(this.entries.some(({ id }) => id === match.mode) ? match.mode : this.entries[0].id);
+    this.form.show(match, settings.rows);
+    this.dialog.showModal();
+  }
+
+  private head(): HTMLElement {
+    const close = create('button', { id: 'menu-close', class: 'plain', 'aria-label': games.menu.close });
+    close.append(icon('i-close'));
+    close.addEventListener('click', () => this.dialog.close());
+    return create('header', {}, create('h2', { id: 'menu-title' }, games.menu.title), close);
+  }
+
+  private card({ id, symbol, match }: MenuEntry): HTMLButtonElement {
+    const { name, about } = games.modes[id];
+    const words = create('span', {}, create('b', {}, name), create('small', {}, about));
+    const card = create('button', { class: 'mode', 'data-mode': id, 'aria-pressed': 'false' }, icon(symbol), words);
+    card.addEventListener('click', () => {
+      this.choose(id);
+      // The players and rules of the match that is played are kept.
+      const current = this.store.state.match;
+      this.form.show(current.mode === id ? current : match(), this.store.state.settings.rows);
+    });
+    return card;
+  }
+
+  private choose(id: string): void {
+    for (const card of this.cards) card.setAttribute('aria-pressed', String(card.dataset.mode === id));
+  }
+}

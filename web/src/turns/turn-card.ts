@@ -1,0 +1,97 @@
+// The card of the turn: whose it is, what to do in it, the time left, points, and all players.
+
+import type { PageState, PageStore } from '../app/state';
+import type { TurnState } from '../engine/game-protocol';
+import type { Rules } from '../engine/protocol';
+import { games } from '../messages/games';
+import { nameOf, type Match } from '../modes/match';
+import { create, element, icon, setText } from '../ui/dom';
+import { createToken } from './token';
+
+export interface TurnActions {
+  /** Takes the last turn back. */
+  undo(): void;
+  /** True while there is a turn to take back. */
+  canUndo(): boolean;
+  /** Height of the tower, m. */
+  height(): number;
+}
+
+export class TurnCard {
+  private readonly card = create('section', { id: 'turn', 'aria-label': games.turn.label, hidden: true });
+  private readonly token = create('span', { class: 'now' });
+  private readonly name = create('b', { id: 'turn-name' });
+  private readonly step = create('span', { id: 'turn-step' });
+  private readonly clock = create('span', { id: 'turn-clock' });
+  private readonly score = create('span', { id: 'turn-score' });
+  private readonly players = create('ol', { id: 'turn-players' });
+  private readonly undo = create('button', { id: 'undo', title: games.turn.undo, 'aria-label': games.turn.undo });
+  private shown = '';
+
+  /** `undo`: true in a mode in which turns can be taken back. */
+  constructor(
+    store: PageStore,
+    private readonly actions: TurnActions,
+    private readonly undoes: (state: Readonly<PageState>) => boolean,
+  ) {
+    this.undo.append(icon('i-left'));
+    this.undo.addEventListener('click', () => actions.undo());
+    const words = create('p', {}, this.name, this.step);
+    this.card.append(this.token, words, this.clock, this.score, this.players, this.undo);
+    element('stage').after(this.card);
+    store.subscribe(['frame', 'match'], state => this.show(state));
+  }
+
+  private show(state: Readonly<PageState>): void {
+    const { frame, match, world } = state;
+    const turn = frame?.update.turn;
+    this.card.hidden = !turn;
+    document.body.classList.toggle('turns', turn !== undefined);
+    if (!turn || !world?.rules) return;
+    this.showPlayers(turn, match);
+    setText(this.name, nameOf(match, turn.player));
+    setText(this.step, stepOf(turn, world.rules));
+    this.showClock(turn, world.rules);
+    const points = turn.scores[turn.player];
+    const height = games.turn.height(Math.round(this.actions.height() * 1000));
+    setText(this.score, points === undefined ? '' : `${games.turn.points(points)} · ${height}`);
+    this.undo.hidden = !this.undoes(state);
+    this.undo.disabled = !this.actions.canUndo();
+  }
+
+  /** A clock shows whole seconds, and fills a bar as time goes. */
+  private showClock({ left_s, phase }: TurnState, { turn_s }: Rules): void {
+    this.clock.hidden = left_s === null || turn_s === null || phase === 'settling' || phase === 'over';
+    if (this.clock.hidden) return;
+    setText(this.clock, games.turn.clock(Math.ceil(left_s!)));
+    this.clock.style.setProperty('--part', String(left_s! / turn_s!));
+    this.clock.classList.toggle('short', left_s! < 10);
+  }
+
+  private showPlayers(turn: TurnState, match: Match): void {
+    const shown = JSON.stringify([turn.player, turn.out, match.players, match.wins]);
+    if (shown === this.shown) return;
+    this.shown = shown;
+    this.token.replaceChildren(createToken(match, turn.player));
+    this.players.hidden = match.players.length < 2;
+    this.players.replaceChildren(
+      ...match.players.map((_, player) => {
+        const current = player === turn.player ? 'true' : null;
+        const out = turn.out.includes(player);
+        const name = create('span', { class: 'name' }, nameOf(match, player));
+        return create('li', { 'aria-current': current, class: out ? 'out' : null }, createToken(match, player), name);
+      }),
+    );
+  }
+}
+
+/** Words for what the player does now. */
+function stepOf(turn: TurnState, { settle_s }: Rules): string {
+  const { phase } = turn;
+  if (phase === 'settling') return games.turn.settling(settle_s);
+  if (phase === 'choosing' && turn.throw) {
+    const { thrown, die } = games.turn;
+    return die(thrown[turn.throw.cell], thrown[turn.throw.row]);
+  }
+  return games.turn[phase];
+}
