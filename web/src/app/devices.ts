@@ -12,8 +12,11 @@ import { listenToKeys } from './shortcuts';
 import type { Stage } from './stage';
 import type { PageStore } from './state';
 
-/** Connects the devices, and returns the gamepads, which are to be polled. */
-export function connectDevices(store: PageStore, stage: Stage, play: Play): Gamepads {
+/**
+ * Connects the devices, and returns the gamepads, which are to be polled. `hint` shows the safest
+ * block.
+ */
+export function connectDevices(store: PageStore, stage: Stage, play: Play, hint: () => void): Gamepads {
   const { hand } = play;
   const announcer = new Announcer();
   const chosen = (body: number, height: number) => announcer.say(text.hand.chosen(body, 1000 * height));
@@ -34,6 +37,7 @@ export function connectDevices(store: PageStore, stage: Stage, play: Play): Game
     xray: () => store.set({ overlay: store.state.overlay === 'xray' ? 'none' : 'xray' }),
     mute: () => store.set({ muted: !store.state.muted }),
     help: () => store.set({ helpOpen: true }),
+    hint,
     menu: () => store.set({ menuOpen: true }),
     steer: key => keys.action(key),
     escape: () => keys.escape(),

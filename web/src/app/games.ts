@@ -1,63 +1,87 @@
-// Builds what games with turns need beside the tower: card, menu, records, and the end.
+// Builds what games need beside the tower: card, menu, records, and the end. It decides which game
+// the page opens with.
 
+import { Guide } from '../guide/guide';
 import { MenuDialog, type MenuEntry } from '../menu/menu-dialog';
-import { games } from '../messages/games';
+import { games } from '../messages';
 import { modeOf } from '../modes';
+import { dailySettings, dayOf } from '../modes/daily';
+import { matchOf, person, type Match } from '../modes/match';
 import { Autosave } from '../records/autosave';
+import { DailyBest } from '../records/daily-best';
+import { chooseFile, listenToDrops } from '../records/files';
+import { recordIn } from '../records/link';
+import { Opener } from '../records/opener';
+import { Sharing } from '../records/sharing';
 import { Storage, type SavedGame } from '../records/storage';
 import { tabName } from '../records/tab';
 import { TurnHistory } from '../records/turn-history';
+import { ReplayBar } from '../replay/replay-bar';
+import type { Verified } from '../study/jobs';
+import { showAftermath } from '../turns/aftermath';
 import { EndDialog } from '../turns/end-dialog';
 import { FallScene } from '../turns/fall-scene';
+import { Hints } from '../turns/hints';
 import { markLegal } from '../turns/legal-marks';
 import { TurnCard } from '../turns/turn-card';
 import { create } from '../ui/dom';
 import type { Notice } from '../ui/notice';
+import { recall, remember } from './memory';
 import type { Play } from './play';
 import type { Stage } from './stage';
-import type { PageStore } from './state';
+import type { PageStore, Settings } from './state';
 
 /** Modes that the menu offers. */
 const MENU: readonly MenuEntry[] = (
   [
     ['hot-seat', 'i-people'],
+    ['opponent', 'i-robot'],
+    ['daily', 'i-day'],
     ['solo', 'i-person'],
     ['practice', 'i-practice'],
     ['free', 'i-auto'],
   ] as const
 ).map(([id, symbol]) => ({ id, symbol, match: () => modeOf(id).match() }));
 
+/** A record that is played again. */
+interface Opened {
+  bytes: Uint8Array;
+  verified: Verified;
+}
+
 export class Games {
   private readonly tab = tabName();
   private readonly storage = Storage.open();
   private readonly menu: MenuDialog;
+  private readonly opener: Opener;
+  private readonly sharing: Sharing;
+  private readonly hints: Hints;
+  /** Settings of towers that the player chose, which those of a day leave as they are. */
+  private readonly own: Settings;
   private autosave: Autosave | null = null;
+  private opened: Opened | null = null;
 
+  /** `guides`: true if the first visit is guided. */
   constructor(
-    store: PageStore,
-    stage: Stage,
+    private readonly store: PageStore,
+    private readonly stage: Stage,
     private readonly play: Play,
-    notice: Notice,
+    private readonly notice: Notice,
+    private readonly guides: boolean,
   ) {
-    const height = () => stage.bodies?.top() ?? 0;
-    const undoes = () => modeOf(store.state.match.mode).undo ?? false;
-    const history = new TurnHistory(store, play.client, undoes);
-    const undo = () => {
-      const record = history.undo();
-      if (record) play.resume(record, store.state.match);
-    };
-    const end = new EndDialog(store, {
-      again: () => play.again(),
-      other: () => store.set({ menuOpen: true }),
-      height,
+    this.own = store.state.settings;
+    this.opener = new Opener(play, notice);
+    this.sharing = new Sharing(store, play, notice);
+    this.hints = new Hints(store, play, notice);
+    this.menu = this.createMenu();
+    this.createTurns();
+    new ReplayBar(store, play, {
+      challenge: () => this.challenge(),
+      save: () => void this.sharing.save(this.opened?.bytes ?? null),
+      close: () => this.begin(modeOf('free').match(), store.state.settings.rows),
     });
-    new TurnCard(store, { undo, canUndo: () => history.canUndo, height }, undoes);
-    markLegal(store, stage);
-    new FallScene(store, stage, () => end.show());
-    this.menu = new MenuDialog(store, MENU, {
-      begin: (match, rows) => play.begins(match, { rows, scene: null }),
-      resign: () => play.client.command({ command: 'resign' }),
-    });
+    listenToDrops(bytes => void this.openRecord(bytes));
+    window.addEventListener('hashchange', () => void this.openLink());
     void this.storage.then(storage => (this.autosave = new Autosave(store, play.client, storage, notice, this.tab)));
   }
 
@@ -66,17 +90,123 @@ export class Games {
     return this.autosave?.saved ?? 0;
   }
 
-  /** Requests the world of an unfinished game; returns false where there is none. */
+  /** Shows the safest block. */
+  hint(): void {
+    void this.hints.show();
+  }
+
+  /** Requests the world that the page opens with; returns false for that of the settings. */
   async open(): Promise<boolean> {
+    if (await this.openLink()) return true;
     const storage = await this.storage;
-    const own = await storage?.game(this.tab);
+    const own = await storage?.game(this.tab).catch(() => undefined);
     if (own && own.search === location.search) {
       this.resume(own);
       return true;
     }
-    const other = await storage?.newest();
+    const other = await storage?.newest().catch(() => null);
     if (other && other.turn > 1) this.offer(other);
-    return false;
+    const { mode } = this.store.state.match;
+    if (mode === 'free') this.guide();
+    if (mode !== 'daily') return false;
+    this.begin(this.store.state.match, 0);
+    return true;
+  }
+
+  private createMenu(): MenuDialog {
+    const { store, play, sharing } = this;
+    return new MenuDialog(store, MENU, {
+      begin: (match, rows) => this.begin(match, rows),
+      openFile: () => chooseFile(bytes => void this.openRecord(bytes)),
+      save: () => void sharing.save(null),
+      share: () => void sharing.shareMove(),
+      resign: () => play.client.command({ command: 'resign' }),
+    });
+  }
+
+  private createTurns(): void {
+    const { store, stage, play, sharing } = this;
+    const height = () => stage.bodies?.top() ?? 0;
+    const undoes = () => modeOf(store.state.match.mode).undo ?? false;
+    const history = new TurnHistory(store, play.client, undoes);
+    const undo = () => {
+      const record = history.undo();
+      if (record) play.resume(record, store.state.match);
+    };
+    const end = new EndDialog(store, {
+      again: () => this.again(),
+      other: () => store.set({ menuOpen: true }),
+      watch: () => void this.watchAgain(),
+      share: () => void sharing.shareMove(),
+      save: () => void sharing.save(null),
+      height,
+    });
+    const card = { undo, canUndo: () => history.canUndo, height, hint: () => this.hint() };
+    new TurnCard(store, card, undoes);
+    markLegal(store, stage);
+    const best = new DailyBest(store, stage, play, this.storage, this.notice);
+    new FallScene(store, stage, () => {
+      if (store.state.world?.frames != null) return;
+      const turns = store.state.frame?.update.turn?.number ?? 1;
+      end.show((room, match) => void showAftermath(play, room, match, turns));
+      void best.finish();
+    });
+  }
+
+  /** Guides the first visit. */
+  private guide(): void {
+    if (!this.guides || recall('help') !== null) return;
+    new Guide(this.store, this.stage, this.play, {
+      offer: mode => this.menu.offer(mode),
+      closed: () => remember('help', 'seen'),
+    });
+  }
+
+  private begin(match: Match, rows: number): void {
+    const day = dailySettings(dayOf(new Date()));
+    const { block, form, stiffness, springs } = this.own;
+    this.clearLink();
+    if (match.mode === 'daily') this.play.begins(match, day);
+    else if (this.store.state.match.mode === 'daily')
+      this.play.begins(match, { rows, scene: null, seed: this.own.seed, block, form, stiffness, springs });
+    else this.play.begins(match, { rows, scene: null });
+  }
+
+  private again(): void {
+    const { mode } = this.store.state.match;
+    if (mode === 'challenge') this.challenge();
+    else if (mode === 'daily') this.play.build();
+    else this.play.again();
+  }
+
+  /** Begins a game on the tower at the start of the record that is shown. */
+  private challenge(): void {
+    if (!this.opened) return;
+    const { scene, rules, pull, turn } = this.opened.verified;
+    const table = rules.table === 'free' || turn === null ? 'friendly' : rules.table;
+    const goal = pull ?? undefined;
+    this.play.beginsOn(scene, { ...matchOf('challenge', table, [person('')]), goal });
+  }
+
+  private async watchAgain(): Promise<void> {
+    const record = await this.play.client.ask({ what: 'record', state: false });
+    if (record) await this.openRecord(record.bytes);
+  }
+
+  private async openRecord(bytes: Uint8Array): Promise<boolean> {
+    const verified = await this.opener.open(bytes);
+    if (verified) this.opened = { bytes, verified };
+    return verified !== null;
+  }
+
+  private async openLink(): Promise<boolean> {
+    const record = recordIn(location.hash);
+    return record !== null && (await this.openRecord(record));
+  }
+
+  /** Another game is not that of the link any more. */
+  private clearLink(): void {
+    if (recordIn(location.hash)) history.replaceState(null, '', location.pathname + location.search);
   }
 
   private resume({ record, match, settings }: SavedGame): void {

@@ -3,7 +3,7 @@
 import { Vector3 } from 'three';
 import type { Client } from '../engine/client';
 import { sameSlot, type Contact, type Form, type TurnState } from '../engine/game-protocol';
-import type { Constant, StateHash } from '../engine/protocol';
+import type { Constant, ReplayState, StateHash } from '../engine/protocol';
 import type { Hand } from '../hand/hand';
 import type { Pointers } from '../hand/pointers';
 import type { Sound } from '../sound/sound';
@@ -65,6 +65,8 @@ export interface Inspect {
   readonly slots: number[][];
   /** State of the turn; null in free play. */
   readonly turn: TurnState | null;
+  /** State of a replay; null in a game. */
+  readonly replay: ReplayState | null;
   /** Simulated time of the game that was saved last, s. */
   readonly saved: number;
   readonly quarantined: number[];
@@ -157,6 +159,7 @@ function gameGetters({ store, stage, hand, games }: Inspected) {
     poses: () => Array.from(stage.bodies?.newest ?? []),
     sizes: () => Array.from(stage.bodies?.sizes ?? []),
     turn: () => frame()?.update.turn ?? null,
+    replay: () => frame()?.replay ?? null,
     saved: () => games.saved,
     quarantined: () => frame()?.update.quarantined ?? [],
     selected: () => store.state.selected,

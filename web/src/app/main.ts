@@ -43,8 +43,8 @@ function start(): void {
   const frame = () => stage.frame();
   const pointers = new Pointers(stage.canvas, store, hand, stage.orbit, { bodies: () => stage.bodies, frame });
 
-  const games = new Games(store, stage, play, notice);
-  new HelpDialog(store, options);
+  const games = new Games(store, stage, play, notice, options.help);
+  new HelpDialog(store);
   new SettingsPanel(store, play, options);
   new SoundControls(store);
   new Gallery(play);
@@ -52,7 +52,7 @@ function start(): void {
   const readouts = new Readouts(store, stage);
   const toggleSprings = () => store.set({ overlay: store.state.overlay === 'springs' ? 'none' : 'springs' });
   const springs = new SpringsLegend(toggleSprings, () => play.setForm('lattice'));
-  const pads = connectDevices(store, stage, play);
+  const pads = connectDevices(store, stage, play, () => games.hint());
   const showLegends = () => {
     springs.show(store.state.overlay === 'springs', store.state.form.value === 'lattice' ? stage.forces.end : null);
     overlay.showLegend();

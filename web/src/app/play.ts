@@ -3,14 +3,16 @@
 
 import { Client } from '../engine/client';
 import type { Form, HandUpdate, Update } from '../engine/game-protocol';
-import type { Built, Frame, SceneEntry, Setup, XRay } from '../engine/protocol';
+import type { Built, Deliberation, Frame, SceneEntry, Setup, XRay } from '../engine/protocol';
 import { Hand } from '../hand/hand';
 import { text } from '../messages';
-import { games } from '../messages/games';
+import { games } from '../messages';
 import { modeOf } from '../modes';
-import { rulesOf, type Match } from '../modes/match';
+import { computersOf, rulesOf, type Match } from '../modes/match';
 import type { Mode, ModeUi } from '../modes/mode';
 import { Sound } from '../sound/sound';
+import { Pool } from '../study/pool';
+import { Thinker } from '../study/thinker';
 import { showTrouble, type Notice } from '../ui/notice';
 import { Delays } from './delays';
 import { followGraphics } from './graphics';
@@ -30,6 +32,9 @@ export class Play {
   private readonly slowMotion = new SlowMotion();
   private readonly delays: Delays;
   private readonly modeUi: ModeUi;
+  /** Workers beside the game. */
+  readonly pool = new Pool();
+  private readonly thinker: Thinker;
   private opening: () => Promise<boolean> = async () => false;
 
   /** `xray` takes the X-ray of a tower at rest. */
@@ -40,12 +45,14 @@ export class Play {
     private readonly xray: (xray: XRay) => void,
   ) {
     this.delays = new Delays(notice);
+    this.thinker = new Thinker(this.pool, part => store.set({ thinking: part < 1 ? part : null }));
     this.delays.begin('engine');
     this.client = new Client(new Worker(new URL('../engine/worker.ts', import.meta.url), { type: 'module' }), {
       scenes: list => this.listScenes(list),
       built: world => this.begin(world),
       frame: frame => this.receive(frame),
       xray: xray => this.xray(xray),
+      deliberation: deliberation => void this.think(deliberation),
       refused: message => {
         this.awaitStep();
         if (!store.state.world) this.build();
@@ -104,13 +111,27 @@ export class Play {
   /** Builds the world of the settings, and begins the next game of the match. */
   build(): void {
     const { settings, match } = this.store.state;
-    this.request(setupOf(settings, rulesOf(match, settings.seed)));
+    this.request(setupOf(settings, rulesOf(match, settings.seed), computersOf(match, settings.seed)));
   }
 
   /** Goes on with a recorded game where it ended. */
   resume(bytes: Uint8Array, match: Match, settings = this.store.state.settings): void {
     this.store.set({ match, settings });
-    this.request({ ...setupOf(this.store.state.settings, null), source: { kind: 'record', bytes } });
+    const computers = computersOf(match, settings.seed);
+    this.request({ ...setupOf(settings, null, computers), source: { kind: 'record', bytes } });
+  }
+
+  /** Begins a match on a scene (JSON). */
+  beginsOn(scene: string, match: Match): void {
+    this.store.set({ match });
+    const rules = rulesOf(match, this.store.state.settings.seed);
+    this.request({ ...setupOf(this.store.state.settings, rules), source: { kind: 'scene', text: scene } });
+  }
+
+  /** Plays a recorded game again. */
+  replay(bytes: Uint8Array, match: Match): void {
+    this.store.set({ match });
+    this.request({ ...setupOf(this.store.state.settings), source: { kind: 'replay', bytes } });
   }
 
   /** Begins a match. */
@@ -175,7 +196,7 @@ export class Play {
     this.slowMotion.reset();
     const maxForce = Math.min(this.store.state.maxForce, world.rules?.max_force ?? Infinity);
     // A game that goes on may have a block in the hand: it waits until that is known.
-    this.store.set({ maxForce, frame: null, selected: null, paused: world.resumed, speed: 1 });
+    this.store.set({ maxForce, frame: null, selected: null, paused: world.resumed, speed: 1, safest: null });
     this.store.set({ world, form: world.form });
     this.awaitStep();
   }
@@ -189,7 +210,11 @@ export class Play {
     this.awaitStep();
     this.stage.receive(frame);
     this.reportQuarantined(update);
-    store.set({ frame });
+    store.set({ frame, watching: this.watches(update) });
+    const isNext = update.events.some(({ event }) => event === 'turn_started' || event === 'removed');
+    if (isNext && store.state.safest) store.set({ safest: null });
+    // The end of a replay is no delay.
+    if (frame.replay && frame.replay.frame === frame.replay.frames) this.delays.end();
     // The form changes only by a command; the device's choice then no longer counts.
     if (update.form !== store.state.form.value) store.set({ form: { value: update.form, chosen: false } });
     if (resumes) this.goOn(update.hand);
@@ -200,11 +225,23 @@ export class Play {
     if (this.slowMotion.begins(frame.factor / speed)) this.notice.show(text.notices.slow(frame.factor));
   }
 
+  /** Answers the question of a computer player. */
+  private async think(deliberation: Deliberation): Promise<void> {
+    const moves = await this.thinker.answer(deliberation);
+    this.client.decide(deliberation, JSON.stringify(moves));
+  }
+
   /** Goes on with a resumed game, or waits for the player to take over the block in the hand. */
   private goOn(hand: HandUpdate | null): void {
     if (hand) this.hand.adopt(hand);
     if (this.hand.holds) this.notice.show(games.records.resumedHolding, LONG);
     else this.store.set({ paused: false });
+  }
+
+  /** True where the player only watches. */
+  private watches({ turn }: Update): boolean {
+    const { players } = this.store.state.match;
+    return this.mode.watches === true || (turn !== undefined && players[turn.player]?.strength !== null);
   }
 
   private isPaused(): boolean {

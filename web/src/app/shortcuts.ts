@@ -12,6 +12,7 @@ export interface ShortcutActions {
   springs(): void;
   help?(): void;
   menu?(): void;
+  hint?(): void;
   xray?(): void;
   mute?(): void;
   /** Returns what a key does for the hand. */
@@ -71,6 +72,7 @@ function gameKeys(hand: Hand, actions: ShortcutActions): Bindings {
   };
   if (actions.xray) keys.x = actions.xray;
   if (actions.mute) keys.m = actions.mute;
+  if (actions.hint) keys.n = actions.hint;
   if (actions.menu) keys.g = actions.menu;
   if (actions.help) keys.h = keys['?'] = actions.help;
   return keys;

@@ -186,7 +186,7 @@ export class Stage {
     const { hovered, selected, pointing } = this.store.state;
     return this.view.marks.show(bodies, {
       hovered: pointing ? null : hovered,
-      held: hand.body,
+      held: hand.held?.body ?? hand.body,
       selected,
       holders: show.holders(),
       slots: hand.slots,

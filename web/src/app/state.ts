@@ -4,6 +4,7 @@ import type { Form, GripMode, TimedReport } from '../engine/game-protocol';
 import type {
   BlockPreset,
   Built,
+  ComputerPlayer,
   Constant,
   Frame,
   RulesChoice,
@@ -34,6 +35,8 @@ export interface PlayState<F extends Frame<TimedReport> = Frame<TimedReport>> {
   /** True while a pointer is down. */
   pointing: boolean;
   dark: boolean;
+  /** True while the player only watches: a replay, or the turn of a computer player. */
+  watching: boolean;
   /** The world that is played. */
   world: Built | null;
   /** The last frame of that world: its update is the truth of the game. */
@@ -70,6 +73,10 @@ export interface PageState extends PlayState<Frame> {
   form: Constant<Form>;
   /** Mode, players and rules. */
   match: Match;
+  /** Part of the thought of a computer player, 0 to 1; null while none thinks. */
+  thinking: number | null;
+  /** The safest block of this turn, and the chance that taking it fells the tower; null unknown. */
+  safest: { body: number; chance: number } | null;
   /** Simulated time per wall time that the page asks for. */
   speed: number;
   panelOpen: boolean;
@@ -101,6 +108,7 @@ export function initialPlay(options: Options): PlayState<never> {
     hovered: null,
     pointing: false,
     dark: false,
+    watching: false,
     world: null,
     frame: null,
   };
@@ -116,6 +124,8 @@ export function initialPage(options: Options, match: Match): PageState {
     readings: null,
     form: { value: 'rigid', chosen: false },
     match,
+    thinking: null,
+    safest: null,
     speed: 1,
     panelOpen: false,
     helpOpen: false,
@@ -126,7 +136,11 @@ export function initialPage(options: Options, match: Match): PageState {
 }
 
 /** Returns the setup of a world with these settings, played by rules. */
-export function setupOf({ scene, rows, seed, block, ...rest }: Settings, rules: RulesChoice | null): Setup {
+export function setupOf(
+  { scene, rows, seed, block, ...rest }: Settings,
+  rules: RulesChoice | null = null,
+  computers: ComputerPlayer[] = [],
+): Setup {
   const source: SceneSource = scene ? { kind: 'named', name: scene } : { kind: 'tower', rows, seed, block };
-  return { source, ...rest, rules };
+  return { source, ...rest, rules, computers };
 }

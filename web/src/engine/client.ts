@@ -4,6 +4,7 @@ import type { GameCommand, TimedReport } from './game-protocol';
 import type {
   Answer,
   Built,
+  Deliberation,
   Frame,
   FromWorker,
   Question,
@@ -19,6 +20,7 @@ export interface Listener<F extends Frame<TimedReport>> {
   built(world: Built): void;
   frame(frame: F): void;
   xray?(xray: XRay): void;
+  deliberation?(deliberation: Deliberation): void;
   refused(message: string): void;
   failed(message: string): void;
 }
@@ -65,6 +67,16 @@ export class Client<S = Setup, F extends Frame<TimedReport> = Frame> {
     this.send({ type: 'speed', speed });
   }
 
+  /** Goes to a frame of a replay. */
+  seek(frame: number): void {
+    this.send({ type: 'seek', world: this.world, frame });
+  }
+
+  /** Answers a question of a computer player. */
+  decide({ world, player }: Deliberation, considered: string): void {
+    this.send({ type: 'decided', world, player, considered });
+  }
+
   watch(watched: Watched): void {
     this.send({ type: 'watch', watched });
   }
@@ -101,6 +113,9 @@ export class Client<S = Setup, F extends Frame<TimedReport> = Frame> {
         return;
       case 'xray':
         if (message.world === this.world) this.listener.xray?.(message);
+        return;
+      case 'deliberation':
+        if (message.world === this.world) this.listener.deliberation?.(message);
         return;
       case 'refused':
         return this.listener.refused(message.message);

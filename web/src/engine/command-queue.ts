@@ -18,6 +18,10 @@ export class CommandQueue {
     else this.waiting.push({ number, command });
   }
 
+  get isEmpty(): boolean {
+    return this.waiting.length === 0;
+  }
+
   /** Removes and returns the command for the next step. */
   next(): GameCommand {
     const first = this.waiting.shift();

@@ -1,22 +1,27 @@
 // A game in wasm memory: commands in, updates and arrays out. It has no clock and no messages.
 
 import { LATTICE_STRIDE, maxDeformation, strains } from '../view/lattice';
-import { Game as WasmGame, Listener } from '../wasm/teeter_wasm.js';
+import { Game as WasmGame, Listener, Opponent as WasmOpponent } from '../wasm/teeter_wasm.js';
 import { rounded } from './command-rounding';
 import { FRAME, POSE_STRIDE, type Contact, type Form } from './game-protocol';
 import type { GameCommand, Update } from './game-protocol';
-import type { RecordState, Rules, RulesChoice } from './protocol';
+import type { Played } from './played';
+import type { ComputerPlayer, LastMove, RecordState, Rules, RulesChoice } from './protocol';
 import { particleOffset } from './scene';
 
 /** Displacement of a block's corner by deformation from which it is visible, m. */
 const VISIBLE = 5e-5;
+/** Longest turn that can be shared, frames. */
+const MAX_MOVE = 7200;
 
-export class Game {
-  /** Number of bodies. */
+export class Game implements Played {
+  readonly replay = null;
   readonly length: number;
-  /** Distance of the particles from the block's centre along each axis, over half the edge. */
   readonly particleOffset: number;
   readonly rules: Rules;
+  /** The last turn in which a block was touched; `open` until the next one begins. */
+  private move: (Omit<LastMove, 'rules'> & { open: boolean }) | null = null;
+  private computers: { player: number; opponent: WasmOpponent; asked: string | null }[] = [];
   private readonly edges: Float32Array;
   private listener: Listener | null = null;
 
@@ -47,10 +52,10 @@ export class Game {
 
   free(): void {
     this.listener?.free();
+    this.seat([]);
     this.game.free();
   }
 
-  /** Stiffness of the contacts, N/m. */
   get stiffness(): number {
     return this.game.stiffness;
   }
@@ -59,25 +64,18 @@ export class Game {
     return this.game.form as Form;
   }
 
-  /** Current stiffness of the springs inside the blocks, N/m; null where they are rigid. */
   get springStiffness(): number | null {
     return this.game.springStiffness ?? null;
   }
 
-  /** Edge lengths, three numbers per body, m; a copy that may be transferred. */
   sizes(): Float32Array {
     return this.edges.slice();
   }
 
-  /** Poses, seven numbers per body; a copy that may be transferred. */
   poses(): Float32Array {
     return Float32Array.from(this.poseView());
   }
 
-  /**
-   * Particles and springs, a copy that may be transferred. Null where they are neither `watched`
-   * nor visibly deform a block.
-   */
   lattices(watched: boolean): Float32Array | null {
     if (this.form === 'rigid') return null;
     // The pointer comes first: writing the particles may let memory grow.
@@ -90,12 +88,11 @@ export class Game {
     return lattices.slice();
   }
 
-  /** Load and breakaway force of each body, two numbers per body as in xray/readings.ts. */
   xray(): Float32Array {
     return Float32Array.from(this.game.xray());
   }
 
-  /** Sounds of the last frame as in sound/sounds.ts; none of the first one that is listened to. */
+  /** None of the first frame that is listened to. */
   sounds(): Float32Array {
     if (this.listener) return this.listener.hear(this.game);
     this.listener = new Listener(this.game);
@@ -106,7 +103,6 @@ export class Game {
     return this.game.hash();
   }
 
-  /** Simulated time, s. */
   time(): number {
     return this.game.time();
   }
@@ -115,20 +111,83 @@ export class Game {
     return JSON.parse(this.game.contacts(body)) as Contact[];
   }
 
-  /** Record of the game so far as bytes; with its state it is resumed at once. */
   record(state: boolean): RecordState | null {
     const bytes = this.game.record(state);
     return bytes ? { bytes, time: this.time() } : null;
   }
 
-  /** Returns true if the command to place the body would be carried out. */
+  world(): Uint8Array {
+    return this.game.world();
+  }
+
+  lastMove(): LastMove | null {
+    if (!this.move) return null;
+    const { scene, commands, fell, placed } = this.move;
+    return { scene, commands, fell, placed, rules: this.rules };
+  }
+
+  /** Sets the computer players. */
+  seat(computers: ComputerPlayer[]): void {
+    for (const { opponent } of this.computers) opponent.free();
+    this.computers = computers.map(({ player, strength, seed }) => ({
+      player,
+      opponent: new WasmOpponent(player, strength, seed),
+      asked: null,
+    }));
+  }
+
+  /** Returns a question of a computer player that was not asked before. */
+  question(): { player: number; question: string } | null {
+    for (const computer of this.computers) {
+      const question = computer.opponent.question(this.game) ?? null;
+      const isNew = question !== null && question !== computer.asked;
+      computer.asked = question;
+      if (isNew) return { player: computer.player, question: question };
+    }
+    return null;
+  }
+
+  /** Hands the moves that it considered to a computer player. */
+  decide(player: number, considered: string): void {
+    const computer = this.computers.find(other => other.player === player);
+    if (computer?.asked) computer.opponent.answer(considered);
+  }
+
+  /** Command of the computer player whose turn it is; null where there is none, or it thinks. */
+  computerCommand(): GameCommand | null {
+    for (const { opponent, asked } of this.computers) {
+      if (asked !== null) continue;
+      const command = JSON.parse(opponent.next(this.game)) as GameCommand;
+      if (command.command !== 'idle') return command;
+    }
+    return null;
+  }
+
   canPlace(body: number): boolean {
     return body < this.length && this.game.canPlace(body);
   }
 
-  /** Carries out a command and steps by a frame. */
   step(command: GameCommand): Update {
-    return JSON.parse(this.game.step(JSON.stringify(rounded(command)))) as Update;
+    const given = rounded(command);
+    // Before the first grasp of a turn all that passes is time.
+    if (given.command === 'grasp' && !this.move?.open) {
+      this.move = { scene: this.game.scene(), commands: [], fell: false, placed: false, open: true };
+    }
+    const update = JSON.parse(this.game.step(JSON.stringify(given))) as Update;
+    this.logMove(given, update);
+    return update;
+  }
+
+  private logMove(command: GameCommand, { events, turn }: Update): void {
+    const { move } = this;
+    if (!move?.open) return;
+    move.commands.push(command);
+    move.fell ||= events.some(({ event }) => event === 'fell');
+    move.placed ||= events.some(({ event }) => event === 'placed');
+    const end = turn ? 'turn_started' : 'placed';
+    if (events.some(({ event }) => event === end) || turn?.phase === 'over') move.open = false;
+    // Nobody shares a turn of minutes.
+    if (move.commands.length > MAX_MOVE) this.move = null;
   }
 
   /** Memory may have grown since the last view, so each one is new. */

@@ -32,8 +32,29 @@ export interface Rules extends Required<Omit<RulesChoice, 'die'>> {
 export type SceneSource =
   | { kind: 'tower'; rows: number; seed: number; block: BlockPreset }
   | { kind: 'named'; name: string }
+  /** A scene as JSON. */
+  | { kind: 'scene'; text: string }
   /** A recorded game, which goes on where it ended. */
-  | { kind: 'record'; bytes: Uint8Array };
+  | { kind: 'record'; bytes: Uint8Array }
+  /** A recorded game that is played again. */
+  | { kind: 'replay'; bytes: Uint8Array };
+
+/** Computer player of a game. */
+export interface ComputerPlayer {
+  /** From 0. */
+  player: number;
+  strength: string;
+  /** Seed of its errors. */
+  seed: number;
+}
+
+/** State of a replay. */
+export interface ReplayState {
+  frame: number;
+  frames: number;
+  /** False from the frame on that this engine computes otherwise. */
+  same: boolean;
+}
 
 /** Scene of a world and the choices that go with it. */
 export interface Setup {
@@ -48,6 +69,7 @@ export interface Setup {
   springs: number | null;
   /** Null for free play. */
   rules: RulesChoice | null;
+  computers: ComputerPlayer[];
 }
 
 /** A constant of a tower. */
@@ -85,6 +107,8 @@ export interface Frame<R extends TimedReport = StepReport> {
   factor: number;
   /** Simulated time per time spent stepping over the last second. */
   capacity: number;
+  /** Null in a game. */
+  replay: ReplayState | null;
 }
 
 export interface Built {
@@ -107,6 +131,8 @@ export interface Built {
   rules: Rules | null;
   /** True for a game that goes on from its record. */
   resumed: boolean;
+  /** Number of frames of a replay; null for a game. */
+  frames: number | null;
 }
 
 /** Contact forces of a tower at rest; sent when rest begins and when it ends. */
@@ -121,6 +147,26 @@ export interface XRay {
 export interface RecordState {
   bytes: Uint8Array;
   time: number;
+}
+
+/** The last move: the tower as it stood at its turn's start, and all commands since. */
+export interface LastMove {
+  /** JSON. */
+  scene: string;
+  rules: Rules;
+  commands: GameCommand[];
+  /** True if a block fell, and if the block was placed. */
+  fell: boolean;
+  placed: boolean;
+}
+
+/** Question of a computer player (JSON), and the world that it is about. */
+export interface Deliberation {
+  type: 'deliberation';
+  world: number;
+  player: number;
+  question: string;
+  state: Uint8Array;
 }
 
 /** Hash of a state, and its simulated time, s. */
@@ -138,6 +184,10 @@ export type Question =
   | { what: 'contacts'; body: number }
   /** Record of the game so far; with its state it is resumed at once. */
   | { what: 'record'; state: boolean }
+  /** The world of this moment, for analyses. */
+  | { what: 'world' }
+  /** The last turn in which a block was moved. */
+  | { what: 'move' }
   | { what: 'xray' };
 export type Answer<Q extends Question> = Q extends { what: 'hash' }
   ? StateHash
@@ -145,9 +195,13 @@ export type Answer<Q extends Question> = Q extends { what: 'hash' }
     ? StateHash[]
     : Q extends { what: 'record' }
       ? RecordState | null
-      : Q extends { what: 'xray' }
-        ? Float32Array
-        : Contact[];
+      : Q extends { what: 'world' }
+        ? Uint8Array
+        : Q extends { what: 'move' }
+          ? LastMove | null
+          : Q extends { what: 'xray' }
+            ? Float32Array
+            : Contact[];
 
 /** Parts of the page that need more from a frame than its poses. */
 export interface Watched {
@@ -165,6 +219,10 @@ export type ToWorker<S = Setup> =
   /** Simulated time per wall time. */
   | { type: 'speed'; speed: number }
   | { type: 'watch'; watched: Watched }
+  /** Goes to a frame of a replay. */
+  | { type: 'seek'; world: number; frame: number }
+  /** Moves that a computer player considered, the chosen one first (JSON). */
+  | { type: 'decided'; world: number; player: number; considered: string }
   | { type: 'ask'; id: number; question: Question };
 
 export type FromWorker =
@@ -173,6 +231,7 @@ export type FromWorker =
   | Frame
   | XRay
   | { type: 'answer'; id: number; value: unknown }
+  | Deliberation
   /** The scene could not be built; the previous world goes on. */
   | { type: 'refused'; world: number; message: string }
   /** The worker cannot go on. */

@@ -33,19 +33,26 @@ export function particleOffset(scene: string): number {
   return springs?.particles === 'corners' ? 1 : 1 / Math.sqrt(3);
 }
 
+/** Source of a scene that is built, as opposed to recorded. */
+export type BuiltSource = Exclude<SceneSource, { bytes: Uint8Array }>;
+
+function textOf(source: BuiltSource): string {
+  switch (source.kind) {
+    case 'named':
+      return namedScene(source.name);
+    case 'scene':
+      return source.text;
+    case 'tower':
+      return towerScene(JSON.stringify({ rows: source.rows, seed: source.seed, block: source.block }));
+  }
+}
+
 /**
  * Returns the scene as JSON with what `choose` returns.
  * Throws an Error whose message is for the user.
  */
-export function sceneText(
-  source: Exclude<SceneSource, { kind: 'record' }>,
-  choose: (defaults: SceneDefaults) => Choice,
-): string {
-  const text =
-    source.kind === 'named'
-      ? namedScene(source.name)
-      : towerScene(JSON.stringify({ rows: source.rows, seed: source.seed, block: source.block }));
-  const scene = JSON.parse(text) as Scene;
+export function sceneText(source: BuiltSource, choose: (defaults: SceneDefaults) => Choice): string {
+  const scene = JSON.parse(textOf(source)) as Scene;
   const { form, stiffness, springs } = choose({
     blocks: scene.blocks.length,
     // A scene that names no form has rigid blocks, but leaves the choice open.

@@ -2,21 +2,23 @@
 
 import load, { sceneList } from '../wasm/teeter_wasm.js';
 import { calibrate } from './calibration';
-import { CommandQueue } from './command-queue';
+import { CommandQueue, IDLE } from './command-queue';
 import { Device } from './device';
 import { Game } from './game';
-import { FRAME, type Update } from './game-protocol';
+import { FRAME, type GameCommand, type Update } from './game-protocol';
 import { Loop } from './loop';
 import { Speedometer } from './pacing';
+import type { Played } from './played';
 import type { FromWorker, Question, SceneEntry, Setup, StateHash, ToWorker, Watched } from './protocol';
-import { sceneText } from './scene';
+import { ReplayedGame } from './replayed-game';
+import { sceneText, type BuiltSource } from './scene';
 import { errorText, guarded } from './worker-errors';
 
 const seconds = () => performance.now() / 1000;
 const send = (message: FromWorker, transfer: Transferable[] = []) => self.postMessage(message, { transfer });
 
 let memory: WebAssembly.Memory;
-let game: Game | null = null;
+let game: Played | null = null;
 let world = 0;
 let paused = false;
 let watched: Watched = { springs: false, xray: false, sound: false, selected: null };
@@ -24,6 +26,10 @@ let watched: Watched = { springs: false, xray: false, sound: false, selected: nu
 let recordings: { id: number; until: number; states: StateHash[] }[] = [];
 /** Update of the last step of the world. */
 let last: Update | null = null;
+/** True at the end of a replay. */
+let ended = false;
+/** Frame of a replay that is sought; null where none is. */
+let sought: number | null = null;
 const commands = new CommandQueue();
 const speedometer = new Speedometer();
 const device = new Device(form => calibrate(form, seconds));
@@ -33,24 +39,62 @@ const guard = guarded(message => {
 });
 const loop = new Loop(
   seconds,
-  () => game !== null && !paused,
+  () => game !== null && !paused && !ended,
   () => step(game!),
   guard,
 );
 
-function step(game: Game): void {
+function step(game: Played): void {
   const before = seconds();
   const wasAtRest = last?.at_rest ?? false;
-  last = game.step(commands.next());
+  const update = game.step(nextCommand(game));
   const after = seconds();
+  if (update === null) {
+    ended = true;
+    return;
+  }
+  last = update;
   speedometer.add(after, FRAME, after - before);
   device.played(after - before, game.length, game.stiffness, game.form, game.springStiffness);
   sendFrame(game, last);
   if (last.at_rest !== wasAtRest) sendXRay(game);
   if (recordings.length > 0) record(game);
+  if (game instanceof Game) ask(game);
 }
 
-function record(game: Game): void {
+/** The next command of the page, else that of a computer player. */
+function nextCommand(game: Played): GameCommand {
+  if (!commands.isEmpty || !(game instanceof Game)) return commands.next();
+  return game.computerCommand() ?? IDLE;
+}
+
+/** Sends a new question of a computer player. */
+function ask(game: Game): void {
+  const asked = game.question();
+  if (!asked) return;
+  const state = game.world();
+  send({ type: 'deliberation', world, ...asked, state }, [state.buffer as ArrayBuffer]);
+}
+
+/** Goes on toward the frame of a replay that is sought, a slice at a time. */
+function seek(): void {
+  if (!(game instanceof ReplayedGame) || sought === null) return;
+  if (!game.seek(sought)) {
+    setTimeout(() => guard(seek));
+    return;
+  }
+  sought = null;
+  ended = false;
+  const update = game.update();
+  if (update) {
+    last = { ...update, events: [] };
+    sendFrame(game, last);
+    sendXRay(game);
+  }
+  restart();
+}
+
+function record(game: Played): void {
   const state = { hash: game.hash(), time: game.time() };
   for (const { states } of recordings) states.push(state);
   const finished = recordings.filter(({ until }) => state.time >= until);
@@ -58,11 +102,11 @@ function record(game: Game): void {
   recordings = recordings.filter(recording => !finished.includes(recording));
 }
 
-function sendXRay(game: Game): void {
+function sendXRay(game: Played): void {
   if (watched.xray) send({ type: 'xray', world, forces: last?.at_rest ? game.xray() : null });
 }
 
-function sendFrame(game: Game, update: Update): void {
+function sendFrame(game: Played, update: Update): void {
   const poses = game.poses();
   const lattices = game.lattices(watched.springs);
   const sounds = watched.sound ? game.sounds() : null;
@@ -78,6 +122,7 @@ function sendFrame(game: Game, update: Update): void {
       placeable: watched.selected !== null && game.canPlace(watched.selected),
       factor: speedometer.factor(),
       capacity: speedometer.capacity(),
+      replay: game.replay,
     },
     lattices ? [poses.buffer, lattices.buffer] : [poses.buffer],
   );
@@ -90,10 +135,11 @@ function restart(): void {
 
 /** Builds a world; where that fails the previous one goes on. */
 function build({ world: number, setup }: Extract<ToWorker, { type: 'build' }>): void {
-  let next: Game;
+  let next: Played;
   let chosen = { stiffness: false, form: false };
   try {
-    if (setup.source.kind === 'record') next = Game.resume(setup.source.bytes, memory);
+    if (setup.source.kind === 'record') next = seated(Game.resume(setup.source.bytes, memory), setup);
+    else if (setup.source.kind === 'replay') next = new ReplayedGame(setup.source.bytes, memory);
     else ({ next, chosen } = beginGame(setup.source, setup));
   } catch (error) {
     send({ type: 'refused', world: number, message: errorText(error) });
@@ -102,6 +148,8 @@ function build({ world: number, setup }: Extract<ToWorker, { type: 'build' }>): 
   game?.free();
   game = next;
   last = null;
+  ended = false;
+  sought = null;
   world = number;
   commands.clear();
   device.begin();
@@ -116,22 +164,31 @@ function build({ world: number, setup }: Extract<ToWorker, { type: 'build' }>): 
     particleOffset: game.particleOffset,
     rules: game.rules,
     resumed: setup.source.kind === 'record',
+    frames: game.replay?.frames ?? null,
   });
   restart();
 }
 
-function beginGame(source: Parameters<typeof sceneText>[0], setup: Setup) {
+function beginGame(source: BuiltSource, setup: Setup) {
   const { sleep, stiffness, form, springs, rules } = setup;
   const chosen = { stiffness: stiffness === null, form: false };
+  // A scene that somebody shared is taken as it is, or it would be another game.
+  if (source.kind === 'scene') return { next: Game.begin(source.text, sleep, rules, memory), chosen };
   const scene = sceneText(source, defaults => {
     const wanted = { stiffness, form: form ?? defaults.form, springs: springs ?? defaults.springs };
     chosen.form = wanted.form === null;
     return { ...device.choose(defaults.blocks, wanted), springs: wanted.springs };
   });
-  return { next: Game.begin(scene, sleep, rules, memory), chosen };
+  return { next: seated(Game.begin(scene, sleep, rules, memory), setup), chosen };
 }
 
-function watch(game: Game | null, next: Watched): void {
+/** The game with its computer players. */
+function seated(game: Game, { computers }: Setup): Game {
+  game.seat(computers);
+  return game;
+}
+
+function watch(game: Played | null, next: Watched): void {
   const xrayChanged = next.xray !== watched.xray;
   watched = next;
   if (!game) return;
@@ -149,12 +206,16 @@ function answer(id: number, question: Question): void {
   send({ type: 'answer', id, value });
 }
 
-function valueOf(game: Game, question: Exclude<Question, { what: 'hashes' }>): unknown {
+function valueOf(game: Played, question: Exclude<Question, { what: 'hashes' }>): unknown {
   switch (question.what) {
     case 'hash':
       return { hash: game.hash(), time: game.time() };
     case 'contacts':
       return game.contacts(question.body);
+    case 'world':
+      return game.world();
+    case 'move':
+      return game.lastMove();
     case 'record':
       return game.record(question.state);
     case 'xray':
@@ -181,6 +242,14 @@ function receive(message: ToWorker): void {
       break;
     case 'watch':
       watch(game, message.watched);
+      break;
+    case 'seek':
+      if (message.world !== world) break;
+      if (sought === null) setTimeout(() => guard(seek));
+      sought = message.frame;
+      break;
+    case 'decided':
+      if (message.world === world && game instanceof Game) game.decide(message.player, message.considered);
       break;
     case 'ask':
       answer(message.id, message.question);

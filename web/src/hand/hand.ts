@@ -79,16 +79,17 @@ export class Hand {
     return this.state.name !== 'idle' && this.state.name !== 'poking';
   }
 
-  /** Hand of the last update; null until the command that began the gesture has been applied. */
+  /** Hand of the last update, also of another player; of the page's own null until the command that began the gesture has been applied. */
   get held(): HandUpdate | null {
-    const { frame } = this.store.state;
+    const { frame, watching } = this.store.state;
+    if (watching) return frame?.update.hand ?? null;
     if (!frame || !this.grasp || frame.applied < this.grasp.command) return null;
     return frame.update.hand?.body === this.grasp.body ? frame.update.hand : null;
   }
 
   /** True while a block is carried by the player. */
   get carries(): boolean {
-    return this.held?.grip === 'carry' && this.gesture !== 'placing';
+    return !this.store.state.watching && this.held?.grip === 'carry' && this.gesture !== 'placing';
   }
 
   /** Free slots for the carried block. */
@@ -161,7 +162,8 @@ export class Hand {
 
   /** Returns true if there is a block that can be placed on top. */
   canPlace(): boolean {
-    const { selected, frame } = this.store.state;
+    const { selected, frame, watching } = this.store.state;
+    if (watching) return false;
     if (this.gesture === 'placing' || this.gesture === 'poking') return false;
     return selected !== null && (frame?.placeable ?? false);
   }

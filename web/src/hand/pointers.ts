@@ -74,7 +74,7 @@ export class Pointers {
   }
 
   private roleOf(event: PointerEvent): Role {
-    if (this.store.state.paused) return 'camera';
+    if (this.store.state.paused || this.store.state.watching) return 'camera';
     if (this.hand.holds) return this.has('hand') ? 'second' : 'hand';
     if (this.has('camera') || event.button !== 0) return 'camera';
     const hit = this.pickAt(event.offsetX, event.offsetY);

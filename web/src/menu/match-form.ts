@@ -2,8 +2,8 @@
 
 import { ROWS } from '../app/url';
 import type { TableName } from '../engine/protocol';
-import { games } from '../messages/games';
-import { matchOf, MAX_PLAYERS, person, TABLES, type Match } from '../modes/match';
+import { games } from '../messages';
+import { matchOf, MAX_PLAYERS, person, STRENGTHS, TABLES, type Match, type Strength } from '../modes/match';
 import { createToken } from '../turns/token';
 import { create } from '../ui/dom';
 
@@ -18,16 +18,20 @@ export class MatchForm {
   private readonly table = create('select', { id: 'match-table', 'aria-describedby': 'match-table-note' });
   private readonly note = create('p', { id: 'match-table-note', class: 'note' });
   private readonly rules = create('div', {}, create('label', {}, games.menu.rules, this.table), this.note);
+  private readonly strength = create('select', { id: 'match-strength' });
+  private readonly strengthLabel = create('label', {}, games.menu.strength, this.strength);
   private readonly rows = create('input', { id: 'match-rows', type: 'range', min: ROWS.min, max: ROWS.max, step: 1 });
   private readonly rowsValue = create('output', {});
 
   constructor(begin: (match: Match, rows: number) => void) {
     this.table.append(...TABLES.map(table => new Option(games.tables[table].name, table)));
     this.table.addEventListener('change', () => this.change({ table: this.table.value as TableName }));
+    this.strength.append(...STRENGTHS.map(name => new Option(games.menu.strengths[name], name)));
+    this.strength.addEventListener('change', () => this.setStrength(this.strength.value as Strength));
     this.rows.addEventListener('input', () => (this.rowsValue.value = this.rows.value));
     const start = create('button', { id: 'match-start', class: 'main', type: 'submit' }, games.menu.start);
     const height = create('label', {}, games.menu.rows, this.rowsValue, this.rows);
-    this.node.append(this.players, this.rules, height, start);
+    this.node.append(this.players, this.strengthLabel, this.rules, height, start);
     this.node.addEventListener('submit', event => {
       event.preventDefault();
       begin(this.match, Number(this.rows.value));
@@ -40,8 +44,16 @@ export class MatchForm {
     this.rows.value = this.rowsValue.value = String(rows);
     this.players.hidden = !WITH_PLAYERS.includes(match.mode);
     this.rules.hidden = !WITH_RULES.includes(match.mode);
+    const computer = match.players.find(({ strength }) => strength !== null);
+    this.strengthLabel.hidden = !computer;
+    if (computer) this.strength.value = computer.strength!;
     this.showRules();
     this.showPlayers();
+  }
+
+  private setStrength(strength: Strength): void {
+    const players = this.match.players.map(player => (player.strength === null ? player : { ...player, strength }));
+    this.change({ players });
   }
 
   private change(change: Partial<Match>): void {

@@ -1,13 +1,16 @@
 // The menu: choose a mode of play and its rules, and begin.
 
 import type { PageStore } from '../app/state';
-import { games } from '../messages/games';
+import { games } from '../messages';
 import type { Match } from '../modes/match';
 import { create, icon } from '../ui/dom';
 import { MatchForm } from './match-form';
 
 export interface MenuActions {
   begin(match: Match, rows: number): void;
+  openFile(): void;
+  save(): void;
+  share(): void;
   resign(): void;
 }
 
@@ -22,7 +25,9 @@ export class MenuDialog {
   private readonly dialog = create('dialog', { id: 'menu', 'aria-labelledby': 'menu-title' });
   private readonly form: MatchForm;
   private readonly cards: HTMLButtonElement[];
-  private readonly resign = create('button', { id: 'menu-resign', class: 'plain' }, games.menu.resign);
+  private readonly resign: HTMLButtonElement;
+  private readonly save: HTMLButtonElement;
+  private readonly share: HTMLButtonElement;
   /** Room above the modes, as for an unfinished game. */
   readonly top = create('div', { id: 'menu-top' });
 
@@ -40,16 +45,17 @@ export class MenuDialog {
       actions.begin(match, rows);
     });
     this.cards = entries.map(entry => this.card(entry));
-    this.resign.addEventListener('click', () => {
-      this.dialog.close();
-      actions.resign();
-    });
+    const { records } = games;
+    this.resign = this.button('menu-resign', games.menu.resign, () => actions.resign());
+    this.save = this.button('menu-save', records.save, () => actions.save());
+    this.share = this.button('menu-share', records.share, () => actions.share());
+    const openFile = this.button('menu-file', records.open, () => actions.openFile());
     this.dialog.append(
       this.head(),
       this.top,
       create('div', { id: 'modes', role: 'group', 'aria-label': games.menu.title }, ...this.cards),
       this.form.node,
-      create('div', { class: 'buttons' }, this.resign),
+      create('div', { class: 'buttons small' }, openFile, this.save, this.share, this.resign),
     );
     this.dialog.addEventListener('close', () => store.set({ menuOpen: false }));
     store.subscribe(['menuOpen'], ({ menuOpen }) => {
@@ -65,13 +71,29 @@ export class MenuDialog {
     this.dialog.close();
   }
 
+  /** Opens the menu at a mode. */
+  offer(mode: string): void {
+    this.store.set({ menuOpen: true });
+    this.cards.find(card => card.dataset.mode === mode)?.click();
+  }
+
   private show(): void {
     const { match, settings, frame } = this.store.state;
     const turn = frame?.update.turn;
-    this.resign.hidden = !turn || turn.phase === 'over';
+    this.resign.hidden = !turn || turn.phase === 'over' || match.mode === 'replay';
+    this.save.hidden = this.share.hidden = match.mode === 'replay';
     this.choose(this.entries.some(({ id }) => id === match.mode) ? match.mode : this.entries[0].id);
     this.form.show(match, settings.rows);
     this.dialog.showModal();
+  }
+
+  private button(id: string, label: string, action: () => void): HTMLButtonElement {
+    const node = create('button', { id, class: 'plain' }, label);
+    node.addEventListener('click', () => {
+      this.dialog.close();
+      action();
+    });
+    return node;
   }
 
   private head(): HTMLElement {

@@ -1,6 +1,7 @@
 // Die Texte der Seiten auf Deutsch.
 
 import { formatsOf } from './formats';
+import { gamesDe } from './games-de';
 import type { Messages } from './en';
 
 const { decimal, count, plural } = formatsOf('de');
@@ -440,4 +441,5 @@ export const de: Messages = {
       },
     },
   },
+  games: gamesDe,
 };

@@ -3,6 +3,7 @@
 // A text with figures is a function. `**` marks bold words, `*` the title of a work, `` ` `` code.
 
 import { formatsOf } from './formats';
+import { gamesEn } from './games-en';
 
 const { decimal, count, plural } = formatsOf('en');
 
@@ -437,6 +438,7 @@ export const en = {
       },
     },
   },
+  games: gamesEn,
 };
 
 /** Texts that every language has. */

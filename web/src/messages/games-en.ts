@@ -1,12 +1,16 @@
 // Texts of the modes of play in English.
 
-const one = (n: number, single: string, several: string) => `${n} ${n === 1 ? single : several}`;
+import { formatsOf } from './formats';
+const { decimal, count, plural } = formatsOf('en');
+
+const counted = (n: number, one: string, other: string) =>
+  plural(n, { one: `${count(n)} ${one}`, other: `${count(n)} ${other}` });
 
 export const gamesEn = {
   /** Name of a player without one, from 1. */
   player: (number: number) => `Player ${number}`,
-  blocks: (count: number) => one(count, 'block', 'blocks'),
-  status: (turn: number, blocks: number) => `Turn ${turn} · ${one(blocks, 'block', 'blocks')}`,
+  blocks: (count: number) => counted(count, 'block', 'blocks'),
+  status: (turn: number, blocks: number) => `Turn ${turn} · ${counted(blocks, 'block', 'blocks')}`,
   over: 'The game is over',
   wins: (name: string) => `${name} wins`,
   loses: (name: string) => `${name} loses`,
@@ -14,7 +18,7 @@ export const gamesEn = {
   putBack: 'The block is back where it was.',
   timedOut: (name: string) => `The time of ${name} is up.`,
   resigned: (name: string) => `${name} gives up.`,
-  scored: (points: number) => `+${one(points, 'point', 'points')}`,
+  scored: (points: number) => `+${counted(points, 'point', 'points')}`,
   illegal: {
     over: 'The game is over.',
     not_over: 'The tower is rebuilt when the game is over.',
@@ -36,6 +40,7 @@ export const gamesEn = {
     solo: { name: 'Solo', about: 'Points for blocks and rows, as high as it goes.' },
     daily: { name: 'Tower of the day', about: 'The same tower for everyone, today.' },
     practice: { name: 'Practice', about: 'Take turns back, and see what was risky.' },
+    challenge: { name: 'Challenge', about: 'Beat a pull that somebody shared.' },
     replay: { name: 'Replay', about: 'A recorded game.' },
   },
   tables: {
@@ -55,9 +60,10 @@ export const gamesEn = {
     settling: (seconds: number) => `Settling, ${seconds} s at most`,
     over: 'Game over',
     clock: (seconds: number) => `${seconds} s left`,
+    thinking: 'Thinking',
     undo: 'Take back',
     undone: 'Taken back.',
-    points: (points: number) => one(points, 'point', 'points'),
+    points: (points: number) => counted(points, 'point', 'points'),
     height: (mm: number) => `${mm} mm high`,
     thrown: {
       even: 'rows that lie as the bottom one',
@@ -69,8 +75,8 @@ export const gamesEn = {
     die: (cell: string, row: string) => `The die: ${cell} ${row}`,
   },
   end: {
-    fell: (name: string, count: number) => `${one(count, 'block', 'blocks')} fell in the turn of ${name}.`,
-    fellAlone: (count: number) => `${one(count, 'block', 'blocks')} fell.`,
+    fell: (name: string, count: number) => `${counted(count, 'block', 'blocks')} fell in the turn of ${name}.`,
+    fellAlone: (count: number) => `${counted(count, 'block', 'blocks')} fell.`,
     stuck: 'No block was left to take.',
     gaveUp: (name: string) => `${name} gave up.`,
     turns: 'Turns',
@@ -83,15 +89,81 @@ export const gamesEn = {
     again: 'Play again',
     other: 'Other game',
     view: 'View it',
-    begins: (name: string) => `${name} begins the next one.`,
+    begins: (name: string) => `The next game begins with ${name}.`,
   },
   records: {
+    checking: (percent: number) => `Checking the record, ${percent} %`,
+    verified: 'Checked: the record is true, frame by frame.',
+    forged: (seconds: number) =>
+      `Refused: this record is forged. From ${decimal(seconds, 1)} s on the tower does something else.`,
+    foreign: (engine: string) => `Refused: this record was made by another version (${engine}), and cannot be checked.`,
+    none: (reason: string) => `This cannot be opened: ${reason}.`,
+    open: 'Open a file',
+    save: 'Save the game',
+    share: 'Share the last pull',
+    shareTitle: 'Beat this pull',
+    copied: 'The link is copied. Who opens it sees this pull, and can try to beat it.',
+    cannotCopy: 'The browser does not let the page copy: this is the link.',
+    nothingToShare: 'There is no pull to share yet.',
+    differs: 'From a rounded tower this pull comes out otherwise. Save the game as a file instead.',
+    tooLong: (kilobytes: string) => `This pull takes ${kilobytes} kB, too long for a link: it is saved as a file.`,
+    again: 'Watch it again',
     notKept: 'This browser keeps no games: one that is closed is lost. Save it as a file.',
     resumedHolding: 'Your game goes on when you press Resume. The block is still in your hand.',
     otherVersion: 'The unfinished game is of another version and cannot go on.',
     ago: (minutes: number) =>
       minutes < 1 ? 'just now' : minutes < 60 ? `${minutes} min ago` : `${Math.round(minutes / 60)} h ago`,
     unfinished: (mode: string, turn: number, ago: string) => `${mode}, turn ${turn}, ${ago}`,
+  },
+  replay: {
+    play: 'Play',
+    pause: 'Pause',
+    scrub: 'Time of the replay',
+    speed: 'Speed',
+    challenge: 'Play from the start of it yourself',
+    save: 'Save as a file',
+    close: 'Close the replay',
+  },
+  challenge: {
+    goal: (seconds: number) => `Beat this pull: ${decimal(seconds, 1)} s`,
+    beaten: (seconds: number, goal: number) => `Beaten: ${decimal(seconds, 1)} s instead of ${decimal(goal, 1)} s.`,
+    slower: (seconds: number, goal: number) =>
+      `It stands, in ${decimal(seconds, 1)} s. To beat: ${decimal(goal, 1)} s.`,
+    stands: (seconds: number) => `It stands, in ${decimal(seconds, 1)} s.`,
+  },
+  plot: {
+    label: 'Chance of a fall, move by move',
+    working: (percent: number) => `Playing every move again, ${percent} %`,
+    riskiest: (name: string, turn: number, percent: number) =>
+      `Riskiest: turn ${turn} of ${name}. Of such pulls ${percent} % bring the tower down.`,
+    move: (name: string, turn: number, percent: number) => `${name}, turn ${turn}: ${percent} %`,
+    none: 'No block was taken.',
+    cause: (above: string, below: string) => `It began where ${above} lost its hold on ${below}.`,
+    row: (row: number) => `a block of row ${row}`,
+    moved: 'a block that had been put on top',
+    table: 'the table',
+  },
+  daily: {
+    best: (points: number, mm: number) =>
+      `Your best: ${points} points, ${mm} mm. It stands behind the tower as a ghost.`,
+    first: 'The first game on this tower.',
+    better: (points: number) => `Your best today: ${points} points.`,
+  },
+  hints: {
+    toggle: 'Hint',
+    title: 'Show the safest block (N)',
+    working: 'Trying the blocks',
+    safest: (percent: number) => `Safest: ${percent} % of such pulls bring the tower down.`,
+    moving: 'The tower has to rest first.',
+    bar: (percent: number) => `Chance to stand: ${percent} %`,
+  },
+  guide: {
+    pull: 'Pull this block out.',
+    carry: 'Carry it to a ghost on top, and let go.',
+    place: 'Press Place, and the hand puts it on top.',
+    done: 'That was a turn. Shall we play?',
+    fell: 'It fell: that happens. Shall we play?',
+    on: 'Go on freely',
   },
   menu: {
     open: 'Games',
@@ -104,6 +176,15 @@ export const gamesEn = {
     name: (number: number) => `Name of player ${number}`,
     add: 'Add a player',
     remove: 'Remove the last player',
+    strength: 'Strength',
+    computer: 'Computer',
+    strengths: {
+      random: 'Random',
+      beginner: 'Beginner',
+      gentle: 'Gentle, lets children win',
+      skilled: 'Skilled',
+      expert: 'Expert',
+    },
     rows: 'Rows',
     resign: 'Give up',
     resume: 'Go on with your game',

@@ -12,4 +12,7 @@ export const language =
 
 export const text: Messages = LANGUAGES[language];
 
+/** Texts of the modes of play. */
+export const { games } = text;
+
 export const { decimal, significant, count, list } = formatsOf(language);

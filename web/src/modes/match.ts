@@ -1,10 +1,13 @@
 // A match: its mode, its players and its rules. It goes on from one game to the next.
 
-import type { RulesChoice, TableName } from '../engine/protocol';
-import { games } from '../messages/games';
+import type { ComputerPlayer, RulesChoice, TableName } from '../engine/protocol';
+import { games } from '../messages';
 
 /** Strength of a computer player. */
 export type Strength = 'random' | 'beginner' | 'skilled' | 'expert' | 'gentle';
+
+/** Strengths that players choose from, the weakest first. */
+export const STRENGTHS: readonly Strength[] = ['random', 'beginner', 'gentle', 'skilled', 'expert'];
 
 export interface Player {
   name: string;
@@ -21,6 +24,8 @@ export interface Match {
   first: number;
   /** Games won by each player. */
   wins: number[];
+  /** Duration of the pull that is to be beaten, s. */
+  goal?: number;
 }
 
 /** Largest number of players. */
@@ -53,4 +58,9 @@ export function rulesOf({ table, players, first }: Match, seed: number): RulesCh
 export function after(match: Match, winner: number | null, loser: number | null): Match {
   const wins = match.wins.map((n, player) => (player === winner ? n + 1 : n));
   return { ...match, wins, first: loser ?? match.first };
+}
+
+/** Computer players of the next game; `seed` is that of its tower. */
+export function computersOf({ players }: Match, seed: number): ComputerPlayer[] {
+  return players.flatMap(({ strength }, player) => (strength ? [{ player, strength, seed: seed + player }] : []));
 }

@@ -1,6 +1,6 @@
 // Solo: one player builds as high as the tower bears, for points and height.
 
-import { games } from '../messages/games';
+import { games } from '../messages';
 import { matchOf, person } from './match';
 import type { Mode } from './mode';
 import { turnEvent, turnStatus } from './turns';

@@ -1,7 +1,7 @@
 // What all modes with turns say: whose turn it is, and what happens in it.
 
 import type { GameEvent, TurnState, Update } from '../engine/game-protocol';
-import { games } from '../messages/games';
+import { games } from '../messages';
 import { nameOf, type Match } from './match';
 import type { ModeUi } from './mode';
 

@@ -85,6 +85,7 @@ function sendFrame(update: Update<TimedReport>, report: Report2003 | null): void
     placeable: selected !== null && shown.canPlace(selected),
     factor: speed.all.factor(),
     capacity: speed.all.capacity(),
+    replay: null,
     costs: { old: old && FRAME / speed.old.capacity(), engine: engine && FRAME / speed.engine.capacity() },
     old: report,
     ghost,
@@ -136,6 +137,7 @@ function build({ world: number, setup }: { world: number; setup: MuseumSetup }):
     particleOffset: 1,
     rules: null,
     resumed: false,
+    frames: null,
   });
   restart();
 }

@@ -20,7 +20,7 @@ import { MuseumClient } from './client';
 import { ConstantsPanel } from './constants-panel';
 import { Controls, readSetup } from './controls';
 import { towerDistance } from './distance';
-import { Ghost } from './ghost';
+import { Ghost } from '../view/ghost';
 import { Hand2003 } from './hand-2003';
 import { createTowerInspect, type TowerInspect } from './inspect';
 import { Pointers2003 } from './pointers-2003';

@@ -3,7 +3,7 @@
 import type { Client } from '../engine/client';
 import type { PageStore } from '../app/state';
 import type { GameEvent } from '../engine/game-protocol';
-import { games } from '../messages/games';
+import { games } from '../messages';
 import type { Notice } from '../ui/notice';
 import type { SavedGame, Storage } from './storage';
 
@@ -46,7 +46,9 @@ export class Autosave {
 
   /** Saves the game now, or once the present save has ended. */
   async save(): Promise<void> {
-    const { frame, world } = this.store.state;
+    const { frame, world, watching } = this.store.state;
+    // The hand of a computer player cannot be taken over: its turn is begun again.
+    if (watching && frame?.update.hand && frame.update.turn?.phase !== 'over') return;
     // A tower that nobody has touched is built again by its seed.
     if (!frame || !world || (frame.update.report.time < 1 && !frame.update.hand)) return;
     if (this.saving) {

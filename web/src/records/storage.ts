@@ -32,6 +32,8 @@ export interface BestGame {
   /** Height of the tower, m. */
   height: number;
   record: Uint8Array;
+  /** Poses of its blocks when it stood last, seven numbers per body as in a frame. */
+  poses: Float32Array;
 }
 
 interface Schema extends DBSchema {

@@ -2,7 +2,7 @@
 
 import type { PageStore } from '../app/state';
 import type { TurnState, Update } from '../engine/game-protocol';
-import { games } from '../messages/games';
+import { games } from '../messages';
 import { after, nameOf, type Match } from '../modes/match';
 import { outcomeLine } from '../modes/turns';
 import { create } from '../ui/dom';
@@ -13,6 +13,12 @@ export interface EndActions {
   again(): void;
   /** Opens the menu. */
   other(): void;
+  /** Plays the game again from its record. */
+  watch(): void;
+  /** Shares the last pull. */
+  share(): void;
+  /** Saves the game as a file. */
+  save(): void;
   /** Height of the tower before the last turn, m. */
   height(): number;
 }
@@ -34,8 +40,8 @@ export class EndDialog {
     return this.dialog.open;
   }
 
-  /** Shows the end, and counts it in the match. */
-  show(): void {
+  /** Shows the end, and counts it in the match; `report` fills the room for what is known later. */
+  show(report: (room: HTMLElement, match: Match) => void): void {
     const { frame, match } = this.store.state;
     const turn = frame?.update.turn;
     if (!turn?.outcome) return;
@@ -56,6 +62,7 @@ export class EndDialog {
       this.buttons(turn, next),
     );
     this.dialog.showModal();
+    report(this.more, next);
   }
 
   private figures(turn: TurnState, update: Update, match: Match): HTMLElement {
@@ -82,13 +89,17 @@ export class EndDialog {
       });
       return node;
     };
-    const row = create('div', { class: 'buttons' });
-    row.append(button('end-again', end.again, () => this.actions.again(), true));
-    row.append(button('end-other', end.other, () => this.actions.other()));
-    row.append(button('end-view', end.view, () => undefined));
+    const first = create('div', { class: 'buttons' });
+    first.append(button('end-again', end.again, () => this.actions.again(), true));
+    first.append(button('end-other', end.other, () => this.actions.other()));
+    const second = create('div', { class: 'buttons small' });
+    second.append(button('end-watch', games.records.again, () => this.actions.watch()));
+    second.append(button('end-share', games.records.share, () => this.actions.share()));
+    second.append(button('end-save', games.records.save, () => this.actions.save()));
+    second.append(button('end-view', end.view, () => undefined));
     const loser = turn.outcome?.loser ?? null;
-    if (match.players.length < 2 || loser === null) return row;
-    return create('div', {}, row, create('p', { class: 'note' }, end.begins(nameOf(match, loser))));
+    const next = match.players.length > 1 && loser !== null ? [end.begins(nameOf(match, loser))] : [];
+    return create('div', {}, first, ...next.map(line => create('p', { class: 'note' }, line)), second);
   }
 }
 

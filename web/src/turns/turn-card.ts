@@ -3,12 +3,15 @@
 import type { PageState, PageStore } from '../app/state';
 import type { TurnState } from '../engine/game-protocol';
 import type { Rules } from '../engine/protocol';
-import { games } from '../messages/games';
+import { games } from '../messages';
 import { nameOf, type Match } from '../modes/match';
+import { outcomeLine } from '../modes/turns';
 import { create, element, icon, setText } from '../ui/dom';
 import { createToken } from './token';
 
 export interface TurnActions {
+  /** Shows the safest block. */
+  hint(): void;
   /** Takes the last turn back. */
   undo(): void;
   /** True while there is a turn to take back. */
@@ -26,6 +29,8 @@ export class TurnCard {
   private readonly score = create('span', { id: 'turn-score' });
   private readonly players = create('ol', { id: 'turn-players' });
   private readonly undo = create('button', { id: 'undo', title: games.turn.undo, 'aria-label': games.turn.undo });
+  private readonly hint = create('button', { id: 'hint', title: games.hints.title }, games.hints.toggle);
+  private readonly win = create('span', { id: 'turn-win', hidden: true });
   private shown = '';
 
   /** `undo`: true in a mode in which turns can be taken back. */
@@ -35,11 +40,12 @@ export class TurnCard {
     private readonly undoes: (state: Readonly<PageState>) => boolean,
   ) {
     this.undo.append(icon('i-left'));
+    this.hint.addEventListener('click', () => actions.hint());
     this.undo.addEventListener('click', () => actions.undo());
     const words = create('p', {}, this.name, this.step);
-    this.card.append(this.token, words, this.clock, this.score, this.players, this.undo);
+    this.card.append(this.token, words, this.clock, this.score, this.players, this.win, this.hint, this.undo);
     element('stage').after(this.card);
-    store.subscribe(['frame', 'match'], state => this.show(state));
+    store.subscribe(['frame', 'match', 'thinking', 'safest'], state => this.show(state));
   }
 
   private show(state: Readonly<PageState>): void {
@@ -49,14 +55,29 @@ export class TurnCard {
     document.body.classList.toggle('turns', turn !== undefined);
     if (!turn || !world?.rules) return;
     this.showPlayers(turn, match);
-    setText(this.name, nameOf(match, turn.player));
-    setText(this.step, stepOf(turn, world.rules));
+    const isOver = turn.phase === 'over';
+    setText(this.name, isOver ? outcomeLine(turn, match) : nameOf(match, turn.player));
+    const { thinking } = state;
+    setText(this.step, thinking === null ? stepOf(turn, world.rules) : games.turn.thinking);
     this.showClock(turn, world.rules);
+    this.step.classList.toggle('thinking', thinking !== null);
+    this.step.style.setProperty('--part', String(thinking ?? 0));
     const points = turn.scores[turn.player];
     const height = games.turn.height(Math.round(this.actions.height() * 1000));
     setText(this.score, points === undefined ? '' : `${games.turn.points(points)} · ${height}`);
+    this.showHint(turn, state);
     this.undo.hidden = !this.undoes(state);
     this.undo.disabled = !this.actions.canUndo();
+  }
+
+  /** A bar of the chance that the tower stands after the safest pull. */
+  private showHint({ phase }: TurnState, { safest, watching, match }: Readonly<PageState>): void {
+    this.hint.hidden = watching || phase !== 'choosing' || match.mode === 'daily';
+    this.win.hidden = safest === null;
+    if (safest === null) return;
+    const chance = 1 - safest.chance;
+    setText(this.win, games.hints.bar(Math.round(100 * chance)));
+    this.win.style.setProperty('--part', String(chance));
   }
 
   /** A clock shows whole seconds, and fills a bar as time goes. */
@@ -69,17 +90,18 @@ export class TurnCard {
   }
 
   private showPlayers(turn: TurnState, match: Match): void {
-    const shown = JSON.stringify([turn.player, turn.out, match.players, match.wins]);
+    const player = turn.outcome?.winner ?? turn.player;
+    const shown = JSON.stringify([player, turn.out, match.players, match.wins]);
     if (shown === this.shown) return;
     this.shown = shown;
-    this.token.replaceChildren(createToken(match, turn.player));
+    this.token.replaceChildren(createToken(match, player));
     this.players.hidden = match.players.length < 2;
     this.players.replaceChildren(
-      ...match.players.map((_, player) => {
-        const current = player === turn.player ? 'true' : null;
-        const out = turn.out.includes(player);
-        const name = create('span', { class: 'name' }, nameOf(match, player));
-        return create('li', { 'aria-current': current, class: out ? 'out' : null }, createToken(match, player), name);
+      ...match.players.map((_, other) => {
+        const current = other === player ? 'true' : null;
+        const out = turn.out.includes(other);
+        const name = create('span', { class: 'name' }, nameOf(match, other));
+        return create('li', { 'aria-current': current, class: out ? 'out' : null }, createToken(match, other), name);
       }),
     );
   }

@@ -16,7 +16,9 @@ export class Readouts {
   show(): void {
     const { frame, paused, panelOpen, match, speed } = this.store.state;
     const blocks = this.stage.bodies?.count ?? 0;
-    const status = frame ? modeOf(match.mode).overlay(frame.update, blocks, match).status : text.readouts.blocks(blocks);
+    const status = frame
+      ? modeOf(match.mode).overlay(frame.update, blocks, match).status
+      : text.readouts.blocks(blocks);
     setText('state', paused ? text.readouts.paused(blocks) : status);
     setText('fps', text.readouts.fps(this.stage.fps));
     // A slow motion that the page asks for is no fault of the device.

@@ -96,3 +96,103 @@ test('a page that is loaded again in mid-game goes on with the same states', asy
   expect([...resumed.entries()].filter(([time, hash]) => expected.get(time) !== hash)).toEqual([]);
   expect(session.complaints).toEqual([]);
 });
+
+test('the computer thinks beside the page and moves in its turn, and the game goes on', async () => {
+  await using session = await Session.open(chrome, `${LOW}&rows=4&mode=opponent`);
+  const { page } = session;
+  await takeOut(session, 4);
+  await phase(session, 'choosing', 2);
+  const turned = await page.evaluate(() => window.teeter.camera.azimuth);
+  // While it is at its turn a press on a block turns the camera.
+  const { at } = await endOf(session, 0);
+  await page.mouse.move(at.x, at.y);
+  await page.mouse.down();
+  await page.mouse.move(at.x + 60, at.y, { steps: 4 });
+  await page.mouse.up();
+  await page.waitForFunction(azimuth => window.teeter.camera.azimuth !== azimuth, turned);
+  await page.waitForFunction(() => {
+    const { turn } = window.teeter;
+    return turn?.phase === 'over' || turn?.number === 3;
+  });
+  const { turn, record } = await page.evaluate(async () => ({
+    turn: window.teeter.turn!,
+    record: await window.teeter.record(),
+  }));
+  expect(turn.outcome?.loser === 1 || turn.player === 0).toBe(true);
+  // Its commands are part of the record.
+  const { Replay } = await load('simd128');
+  const replay = new Replay(Uint8Array.from(record));
+  let moved = 0;
+  for (let update; (update = replay.step()) !== undefined;) {
+    const { events } = JSON.parse(update) as { events: { event: string; player?: number }[] };
+    moved += events.filter(({ event, player }) => event === 'removed' && player === 1).length;
+  }
+  expect(replay.isSame).toBe(true);
+  expect(moved + (turn.outcome ? 1 : 0)).toBeGreaterThan(0);
+  expect(session.complaints).toEqual([]);
+});
+
+test('practice takes turns back to the same state, even after a fall', async () => {
+  await using session = await Session.open(chrome, `${LOW}&mode=practice`);
+  const { page } = session;
+  const hash = async () => (await page.evaluate(() => window.teeter.hash())).hash;
+  await takeOut(session, 3);
+  await phase(session, 'choosing', 2);
+  await drawOut(session, 4);
+  await page.waitForSelector('#end[open]');
+  await page.mouse.up();
+  await page.click('#end-view');
+  await page.waitForFunction(() => window.teeter.turn?.phase === 'over');
+  await session.rebuild(() => page.click('#undo'));
+  await phase(session, 'choosing', 2);
+  expect(await page.evaluate(() => window.teeter.state)).toBe('standing');
+  await session.rebuild(() => page.click('#undo'));
+  expect(await page.evaluate(() => window.teeter.turn)).toMatchObject({ number: 1, phase: 'choosing' });
+  await page.keyboard.press(' ');
+  await page.waitForFunction(() => window.teeter.paused);
+  expect(await hash()).toMatch(/^[0-9a-f]{16}$/);
+  expect(session.complaints).toEqual([]);
+});
+
+test('by touch on a phone a block is drawn out and put on top, and the tower is felled', async () => {
+  await using session = await Session.open(chrome, `${LOW}&mode=hot-seat`, {
+    viewport: { width: 390, height: 844 },
+    hasTouch: true,
+    isMobile: true,
+  });
+  const { page } = session;
+  const touch = await page.context().newCDPSession(page);
+  const send = (type: 'touchStart' | 'touchMove' | 'touchEnd', touchPoints: { x: number; y: number }[]) =>
+    touch.send('Input.dispatchTouchEvent', { type, touchPoints });
+  const pull = async (body: number) => {
+    const { at, out } = await endOf(session, body);
+    await send('touchStart', [at]);
+    for (let k = 1; k <= 40; k++) {
+      await send('touchMove', [{ x: at.x + ((out.x - at.x) * k) / 40, y: at.y + ((out.y - at.y) * k) / 40 }]);
+      await session.simulate(0.03);
+    }
+    return out;
+  };
+  await session.simulate(0.5);
+  const out = await pull(3);
+  await page.waitForFunction(() => window.teeter.hand?.grip === 'carry');
+  // The finger carries the block to a ghost, and lets go.
+  const path = await page.evaluate(() => {
+    const here = window.teeter.screenOf(window.teeter.hand!.body);
+    const there = window.teeter.project(window.teeter.slots[1] as [number, number, number]);
+    return { x: there.x - here.x, y: there.y - here.y };
+  });
+  for (let k = 1; k <= 40; k++) {
+    await send('touchMove', [{ x: out.x + (path.x * k) / 40, y: out.y + (path.y * k) / 40 }]);
+    await session.simulate(0.03);
+  }
+  await page.waitForFunction(() => window.teeter.hand?.slot);
+  await send('touchEnd', []);
+  await phase(session, 'choosing', 2);
+  expect(await page.textContent('#turn-name')).toBe('Player 2');
+  await pull(4);
+  await page.waitForSelector('#end[open]');
+  await send('touchEnd', []);
+  expect(await page.textContent('#end-title')).toBe('Player 1 wins');
+  expect(session.complaints).toEqual([]);
+});

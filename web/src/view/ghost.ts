@@ -15,7 +15,7 @@ import {
   ShaderMaterial,
   type BufferGeometry,
 } from 'three';
-import type { Bodies } from '../view/bodies';
+import type { Bodies } from './bodies';
 
 /** Distance of a block from that in wood at which its ghost is most opaque, m. */
 const FULL = 0.004;

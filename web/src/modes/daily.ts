@@ -1,0 +1,30 @@
+// Tower of the day: the same tower for everyone, to the bit, and your best game on it as a ghost.
+
+import type { Settings } from '../app/state';
+import { games } from '../messages';
+import { matchOf, person } from './match';
+import type { Mode } from './mode';
+import { turnEvent, turnStatus } from './turns';
+
+export const daily: Mode = {
+  id: 'daily',
+  match: () => matchOf('daily', 'solo', [person('')]),
+  rules: () => ({ canTurn: true }),
+  overlay: (update, blocks, match) => ({ status: turnStatus(update, blocks, match) }),
+  onEvent(event, ui, match) {
+    if (event.event === 'scored') ui.notice(games.scored(event.points));
+    turnEvent(event, ui, match);
+  },
+};
+
+/** Day of a time in UTC, such as 2026-03-09. */
+export function dayOf(time: Date): string {
+  return time.toISOString().slice(0, 10);
+}
+
+/** Settings of the tower of a day: all that its bits follow from. */
+export function dailySettings(day: string): Partial<Settings> {
+  const seed = Number(day.replaceAll('-', ''));
+  const blocks = { block: 'dissertation', form: 'rigid', stiffness: 1e6, springs: null } as const;
+  return { scene: null, rows: 18, seed, sleep: true, ...blocks };
+}

@@ -1,0 +1,96 @@
+// A worker that does one job after another, a step at a time, so that it can be stopped.
+
+import load, { RecordAnalysis, Thought, TowerAnalysis } from '../wasm/teeter_wasm.js';
+import { MoveCut } from './move-cut';
+import { Verification } from './verification';
+import { errorText } from '../engine/worker-errors';
+import type { FromStudy, Job, RecordReport, ToStudy } from './jobs';
+
+/** Time between two reports of the progress, ms. */
+const INTERVAL = 60;
+/** Seed of the errors of analyses. */
+const SEED = 1;
+
+interface Task {
+  /** True once the result counts although the work is not done. */
+  isUsable?(): boolean;
+  /** Returns the part of the work that is done; 1 at the end. */
+  step(): number;
+  result(): unknown;
+  free(): void;
+}
+
+const send = (message: FromStudy) => self.postMessage(message);
+const stopped = new Set<number>();
+let memory: WebAssembly.Memory;
+let queue: Promise<void> = load().then(exports => {
+  memory = exports.memory;
+});
+
+function taskOf(job: Job): Task {
+  switch (job.kind) {
+    case 'think':
+      return thought(new Thought(job.state, job.question));
+    case 'tower':
+      return tower(new TowerAnalysis(job.state, job.rules, SEED, job.budget));
+    case 'record':
+      return record(new RecordAnalysis(job.bytes, SEED, job.budget));
+    case 'verify':
+      return new Verification(job.bytes, memory);
+    case 'cut':
+      return new MoveCut(job.move);
+  }
+}
+
+function thought(task: Thought): Task {
+  return {
+    step: () => task.step(),
+    // Blocks are ranked before they are tried.
+    isUsable: () => task.considered() !== '[]',
+    result: () => JSON.parse(task.considered()) as unknown,
+    free: () => task.free(),
+  };
+}
+
+function tower(task: TowerAnalysis): Task {
+  return { step: () => task.step(), result: () => JSON.parse(task.blocks()) as unknown, free: () => task.free() };
+}
+
+function record(task: RecordAnalysis): Task {
+  const report = () => JSON.parse(task.report()) as RecordReport;
+  return {
+    step: () => task.step(),
+    // A plot needs at least one trial of each move.
+    isUsable: () => report().moves.length > 0 && report().moves.every(({ rollouts }) => rollouts > 0),
+    result: report,
+    free: () => task.free(),
+  };
+}
+
+async function run(id: number, job: Job): Promise<void> {
+  const end = performance.now() + job.seconds * 1000;
+  const task = taskOf(job);
+  try {
+    let reported = performance.now();
+    const isTimeUp = () => performance.now() >= end && (task.isUsable?.() ?? true);
+    for (let part = 0; part < 1 && !isTimeUp() && !stopped.has(id); part = task.step()) {
+      if (performance.now() - reported < INTERVAL) continue;
+      reported = performance.now();
+      send({ type: 'progress', id, part });
+      // Messages are taken in between.
+      await new Promise(resolve => setTimeout(resolve));
+    }
+    send({ type: 'result', id, value: task.result() });
+  } finally {
+    task.free();
+    stopped.delete(id);
+  }
+}
+
+self.onmessage = ({ data }: MessageEvent<ToStudy>) => {
+  if (data.type === 'stop') stopped.add(data.id);
+  else
+    queue = queue
+      .then(() => run(data.id, data.job))
+      .catch((error: unknown) => send({ type: 'failed', id: data.id, message: errorText(error) }));
+};
