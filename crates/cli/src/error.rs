@@ -1,7 +1,6 @@
 //! Errors of the shell and their exit codes.
 
 use std::io;
-use std::process::ExitCode;
 
 use clap::error::ErrorKind;
 use teeter_dissertation::jenga3d::{self, ConstantError, IniError};
@@ -15,6 +14,8 @@ use teeter_scene::{NAMED, SceneError, printable};
 use crate::json_fields::FieldError;
 use crate::message::message as print;
 
+/// Exit code for help and the like.
+const SUCCESS: u8 = 0;
 /// Exit code for bad input.
 const BAD_INPUT: u8 = 2;
 /// Exit code for a replay that diverges.
@@ -279,12 +280,12 @@ impl Error {
     }
 
     /// Writes the error to standard error as one line, except for help, and returns the exit code.
-    pub fn report(&self) -> ExitCode {
+    pub fn report(&self) -> u8 {
         match self {
             // `teeter scene tower | head` is no error: the reader has what it needs.
-            Self::StdoutClosed => ExitCode::SUCCESS,
+            Self::StdoutClosed => SUCCESS,
             Self::Usage(error) => report_usage(error),
-            Self::Diverged => ExitCode::from(DIVERGED),
+            Self::Diverged => DIVERGED,
             error => report_line(&error.to_string()),
         }
     }
@@ -313,21 +314,21 @@ fn names() -> String {
     NAMED.iter().map(|scene| scene.name).collect::<Vec<_>>().join(", ")
 }
 
-fn report_line(message: &str) -> ExitCode {
+fn report_line(message: &str) -> u8 {
     // Names of files and scenes can contain any character, also line breaks.
     print(&format!("teeter: {}", printable(message)));
-    ExitCode::from(BAD_INPUT)
+    BAD_INPUT
 }
 
-fn report_usage(error: &clap::Error) -> ExitCode {
+fn report_usage(error: &clap::Error) -> u8 {
     match error.kind() {
         ErrorKind::DisplayHelp | ErrorKind::DisplayVersion => {
             let _ = error.print();
-            ExitCode::SUCCESS
+            SUCCESS
         }
         ErrorKind::DisplayHelpOnMissingArgumentOrSubcommand => {
             let _ = error.print();
-            ExitCode::from(BAD_INPUT)
+            BAD_INPUT
         }
         _ => {
             // The first paragraph of clap names the error, the others are help.
