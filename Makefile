@@ -1,5 +1,5 @@
 # `make play` and `make test` set up what is missing. Anything longer than a line is in tools/.
-.PHONY: help play page test golden fuzz check format bench counts figures peers pictures clean setup
+.PHONY: help play page test golden fuzz check format bench counts figures peers pictures wheel clean setup
 
 help: ## List the targets
 	@sed -n 's/^\([a-z]*\):.*## /\1\t/p' $(MAKEFILE_LIST) | column -t -s '	'
@@ -12,11 +12,12 @@ page: ## Build the page into web/dist
 	tools/build-wasm
 	tools/build-page
 
-test: page ## Run every test: Rust, examples, WebAssembly under node, the page in headless Chromium
-	tools/setup browser
+test: page ## Run every test: Rust, examples, Python, WebAssembly under node, the page in headless Chromium
+	tools/setup browser python
 	node --test tools/checks/tests/
 	cargo test --workspace --locked --features teeter-cli/page
 	tools/examples
+	tools/python test
 	cargo test --workspace --locked --features teeter-cli/server --test play -- without_the_page
 	tools/build-wasm scalar
 	cd web && npm run test:wasm && npm run test:unit && npm run test:page
@@ -37,6 +38,8 @@ check: page ## Formatting, lints, words, documents and packages
 	RUSTDOCFLAGS="-D warnings" cargo doc --workspace --no-deps --locked
 	tools/package
 	tools/dependencies check
+	tools/setup python
+	tools/python check
 	cd web && npm run check && npx prettier --config .prettierrc.json --check ../tools/checks
 
 format: ## Format everything
@@ -61,6 +64,10 @@ peers: ## Measure the engine beside Rapier and Box3D, and write docs/performance
 
 pictures: ## Draw the pictures of the documents into docs/pictures
 	tools/pictures
+
+wheel: page ## Build the Python package, install it in a fresh environment, and test it there
+	tools/setup python
+	tools/python wheel
 
 setup: ## Install everything that is missing, the browser included
 	tools/setup

@@ -34,7 +34,11 @@ export const DUPLICATES = {
 };
 
 /** Targets whose programs the notices cover, with the packages and features built for them. */
-const SHELL = { roots: ['teeter-cli'], target: 'x86_64-unknown-linux-gnu', features: 'teeter-cli/page' };
+const SHELL = {
+  roots: ['teeter-cli', 'teeter-python'],
+  target: 'x86_64-unknown-linux-gnu',
+  features: 'teeter-cli/page',
+};
 const PAGE = { roots: ['teeter-wasm', 'teeter-museum'], target: 'wasm32-unknown-unknown', features: '' };
 
 /** Runs cargo metadata; without a target for all of them. */
