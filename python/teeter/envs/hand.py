@@ -1,0 +1,65 @@
+"""What the environments of a hand share: a block that it holds, and commands that move it."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import gymnasium
+import numpy as np
+from numpy.typing import NDArray
+
+from teeter import Game
+
+#: Frames of a step: 20 steps a second.
+FRAMES = 3
+#: Largest displacement of the hand's goal in a step, m.
+REACH = 0.005
+
+#: Bound of the numbers of an observation.
+BOUND = 1e4
+
+Vector = NDArray[np.float64]
+
+
+def axes_of(quaternion: Vector) -> Vector:
+    """Axes of a body in the world, the columns of a 3 by 3 array, from its quaternion x, y, z, w."""
+    x, y, z, w = quaternion
+    return np.array(
+        [
+            [1 - 2 * (y * y + z * z), 2 * (x * y - z * w), 2 * (x * z + y * w)],
+            [2 * (x * y + z * w), 1 - 2 * (x * x + z * z), 2 * (y * z - x * w)],
+            [2 * (x * z - y * w), 2 * (y * z + x * w), 1 - 2 * (x * x + y * y)],
+        ]
+    )
+
+
+class HandEnv(gymnasium.Env[NDArray[np.float32], NDArray[np.float32]]):
+    """An environment in which a hand holds one block."""
+
+    metadata: dict[str, Any] = {"render_modes": ["rgb_array"], "render_fps": 20}
+
+    _game: Game | None = None
+    body: int = 0
+
+    @property
+    def game(self) -> Game:
+        """Game of the episode."""
+        if self._game is None:
+            raise gymnasium.error.ResetNeeded("the environment was not reset")
+        return self._game
+
+    @staticmethod
+    def observation(*parts: Any) -> NDArray[np.float32]:
+        """Joins the parts of an observation."""
+        joined: NDArray[np.float32] = np.clip(np.concatenate(parts), -BOUND, BOUND).astype(np.float32)
+        return joined
+
+    def others_moved(self, before: Vector) -> float:
+        """Largest distance of any other block from where it was, m."""
+        distance = np.linalg.norm(self.game.poses[:, :3] - before[:, :3], axis=1)
+        distance[self.body] = 0.0
+        return float(distance.max())
+
+    def render(self) -> NDArray[np.uint8]:
+        """Picture of the tower, uint8 of shape (480, 640, 3)."""
+        return self.game.world.render(640, 480)

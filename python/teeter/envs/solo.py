@@ -1,0 +1,104 @@
+"""Teeter/Solo-v0: one player builds on as long as the tower stands."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from typing import Any
+
+import gymnasium
+import numpy as np
+from gymnasium import spaces
+from numpy.typing import NDArray
+
+from teeter import Game
+from teeter.envs.tower import (
+    DOMAIN,
+    carry_out,
+    checked_parts,
+    checked_rows,
+    draw_scene,
+    legal_moves,
+    observed,
+    space_of,
+)
+
+Observation = dict[str, NDArray[Any]]
+
+
+class SoloEnv(gymnasium.Env[Observation, np.int64]):
+    """One step is one whole move, carried out by a hand with the errors of a person.
+
+    Action: 3 * block + cell, the block to take and the cell of the top row to put it in. ``info`` has
+    ``action_mask``, int8 of shape (9 * rows,), 1 for the legal ones.
+    Observation: a dict of the parts in ``observe``, see teeter.envs.tower.observed, and ``action_mask``.
+    Reward: the points of solo rules, 1 for a block placed and 3 more for a row completed; -1 for an
+    illegal action, which changes nothing, and -0.1 for a block that does not come out.
+    Terminated: a block fell, or no move is left.
+
+    rows: 3 to 40. observe: some of "poses", "cells", "forces", "image". noise: errors of the hand,
+    "person", "none" or a dict. domain: ranges of the options of a tower, drawn in each episode.
+    """
+
+    metadata: dict[str, Any] = {"render_modes": ["rgb_array"], "render_fps": 1}
+
+    def __init__(
+        self,
+        rows: int = 18,
+        observe: tuple[str, ...] = ("poses", "cells", "forces"),
+        noise: Any = "person",
+        domain: Mapping[str, tuple[float, float]] = DOMAIN,
+        render_mode: str | None = None,
+    ) -> None:
+        self.rows = checked_rows(rows)
+        self.parts = checked_parts(observe)
+        self.noise, self.domain, self.render_mode = noise, dict(domain), render_mode
+        blocks = 3 * self.rows
+        self.action_space = spaces.Discrete(3 * blocks)
+        mask = {"action_mask": spaces.MultiBinary(3 * blocks)}
+        self.observation_space: spaces.Space[Any] = spaces.Dict({**space_of(self.parts, blocks), **mask})
+        self._game: Game | None = None
+
+    @property
+    def game(self) -> Game:
+        """Game of the episode."""
+        if self._game is None:
+            raise gymnasium.error.ResetNeeded("the environment was not reset")
+        return self._game
+
+    def reset(
+        self, *, seed: int | None = None, options: dict[str, Any] | None = None
+    ) -> tuple[Observation, dict[str, Any]]:
+        """Builds the next tower. ``options["scene"]``: a scene with 3 * rows blocks, instead of a drawn one."""
+        super().reset(seed=seed)
+        scene = (options or {}).get("scene") or draw_scene(self.np_random, self.rows, self.domain)
+        self._game = Game(scene, "solo", 1)
+        self._game.settle()
+        return self._observation(), self._info()
+
+    def step(self, action: np.int64) -> tuple[Observation, float, bool, bool, dict[str, Any]]:
+        """Carries out a move."""
+        mask = legal_moves(self.game, 3 * self.rows)
+        seed = int(self.np_random.integers(2**63))
+        if not mask[int(action)]:
+            return self._observation(), -1.0, False, False, self._info() | {"illegal": True}
+        before = self._score()
+        result = carry_out(self.game, int(action), seed, self.noise)
+        reward = float(self._score() - before) - (0.1 if result["end"] == "stuck" else 0.0)
+        info = self._info()
+        terminated = bool(result["fell"]) or not info["action_mask"].any()
+        result.pop("events")
+        return self._observation(), reward, terminated, False, info | {"move": result}
+
+    def render(self) -> NDArray[np.uint8]:
+        """Picture of the tower, uint8 of shape (480, 640, 3)."""
+        return self.game.world.render(640, 480)
+
+    def _score(self) -> int:
+        turn = self.game.turn
+        return int(turn["scores"][0]) if turn else 0
+
+    def _info(self) -> dict[str, Any]:
+        return {"action_mask": legal_moves(self.game, 3 * self.rows), "score": self._score()}
+
+    def _observation(self) -> Observation:
+        return {**observed(self.game, self.parts), "action_mask": legal_moves(self.game, 3 * self.rows)}
