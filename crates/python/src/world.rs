@@ -68,7 +68,6 @@ impl World {
     }
 
     fn __repr__(&self) -> String {
-        let Physics { .. } = &self.world;
         format!("<World '{}': {} bodies, {:.3} s>", self.world.scene().name, self.world.len(), self.world.time())
     }
 }
