@@ -235,6 +235,12 @@ impl Bodies {
         (self.velocity[i] + self.spin[i].cross(point - self.position[i]), self.spin[i])
     }
 
+    /// Square of a speed, m²/s²: points of a body are at most the root of two times as fast.
+    pub fn squared_speed_bound(&self, shapes: &Shapes, i: usize) -> f64 {
+        let radius = shapes.radius[i];
+        self.velocity[i].length_squared() + self.spin[i].length_squared() * (radius * radius)
+    }
+
     /// Stretch of a body; none for rigid bodies and the floor.
     pub fn stretch_of(&self, i: u32) -> Option<&DMat3> {
         self.stretch.get(i as usize)

@@ -48,6 +48,14 @@ pub struct Slip {
     pub spin: f64,
 }
 
+impl Slip {
+    /// Returns true for the square of a speed (m²/s²) at which levers are those of a patch that
+    /// sticks but for a millionth.
+    pub fn is_negligible(squared_speed: f64) -> bool {
+        squared_speed < (0.01 * STRIBECK_SPEED) * (0.01 * STRIBECK_SPEED)
+    }
+}
+
 /// Levers of friction of a patch.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Serialize, Deserialize)]
 pub struct FrictionLevers {
@@ -66,7 +74,7 @@ pub struct FrictionLevers {
 }
 
 /// Levers of a patch at a slip.
-#[derive(Debug, Clone, Copy)]
+#[derive(Debug, Clone, Copy, Default)]
 pub struct SlipLevers {
     map: [[f64; 2]; 2],
     /// Square of the turning arm over that of the offset.
@@ -98,6 +106,9 @@ impl FrictionLevers {
     /// Below [`STRIBECK_SPEED`] they approach those of a patch that sticks, with the square of the
     /// speed and more: a centre of rotation has no meaning there.
     pub fn at(&self, slip: &Slip) -> SlipLevers {
+        if *slip == Slip::default() {
+            return SlipLevers { map: self.map, turn_squared: self.turn * self.turn, ..SlipLevers::default() };
+        }
         let [xx, xy, yy] = self.moments;
         let [u, v] = slip.velocity;
         let extent = 0.5 * (xx + yy);
@@ -175,16 +186,23 @@ impl SlipLevers {
     /// pressure, m.
     pub fn arms(&self, offset: [f64; 2]) -> [f64; 3] {
         let [x, y] = apply(&self.map, offset);
-        let spin = self.slip.spin;
+        let turn_squared = self.turn_squared * (1.0 + self.growth_at([x, y]));
+        [x, y, (turn_squared * (offset[0] * offset[0] + offset[1] * offset[1])).sqrt()]
+    }
+
+    /// Growth of the square of the turning arm at a lever (m), relative.
+    fn growth_at(&self, [x, y]: [f64; 2]) -> f64 {
+        if self.growth == 0.0 {
+            return 0.0;
+        }
         let left = |[u, v]: [f64; 2]| {
             let past = (u * u + v * v) / self.reach;
             1.0 / (1.0 + past * past)
         };
         // A pure spin keeps its arms, which are exact.
-        let pure = [-spin * y, spin * x];
+        let pure = [-self.slip.spin * y, self.slip.spin * x];
         let near = left([self.slip.velocity[0] + pure[0], self.slip.velocity[1] + pure[1]]) - left(pure);
-        let turn_squared = self.turn_squared * (1.0 + self.growth * near.max(0.0));
-        [x, y, (turn_squared * (offset[0] * offset[0] + offset[1] * offset[1])).sqrt()]
+        self.growth * near.max(0.0)
     }
 }
 

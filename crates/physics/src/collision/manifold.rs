@@ -7,7 +7,7 @@ use arrayvec::ArrayVec;
 use glam::{DMat3, DVec3};
 use serde::{Deserialize, Serialize};
 
-use crate::body::{Bodies, FLOOR};
+use crate::body::{Bodies, FLOOR, Shapes};
 use crate::collision::friction_levers::{FrictionLevers, Slip};
 use crate::collision::polygon::{MAX_CORNERS, Patch};
 use crate::constants::{MIN_AREA, REFERENCE_AREA};
@@ -246,8 +246,13 @@ impl Manifold {
         [0, 1].map(|k| self.points.iter().map(|p| p.normal_force * p.arm[k]).sum::<f64>() / total)
     }
 
-    /// Velocity and spin of B relative to A at an offset from the centroid (m).
-    fn slip(&self, bodies: &Bodies, [x, y]: [f64; 2]) -> Slip {
+    /// Velocity and spin of B relative to A at an offset from the centroid (m); none where both
+    /// bodies are [still](Slip::is_negligible).
+    fn slip(&self, shapes: &Shapes, bodies: &Bodies, [x, y]: [f64; 2]) -> Slip {
+        let still = |i: u32| i == FLOOR || Slip::is_negligible(bodies.squared_speed_bound(shapes, i as usize));
+        if still(self.a) && still(self.b) {
+            return Slip::default();
+        }
         let (center_a, axes_a) = bodies.pose(self.a);
         let [normal, tangents @ ..] = self.frame_in_world(bodies, axes_a);
         let at = center_a + axes_a * self.centroid + tangents[0] * x + tangents[1] * y;
@@ -260,9 +265,9 @@ impl Manifold {
     ///
     /// The resultant acts at the centre of pressure of the last substep, from which
     /// [`FrictionLevers`] takes the offsets.
-    pub fn friction_arms(&self, bodies: &Bodies) -> impl Fn(&ContactPoint) -> [f64; 3] {
+    pub fn friction_arms(&self, shapes: &Shapes, bodies: &Bodies) -> impl Fn(&ContactPoint) -> [f64; 3] {
         let center = self.center_of_pressure();
-        let levers = self.levers.at(&self.slip(bodies, center));
+        let levers = self.levers.at(&self.slip(shapes, bodies, center));
         move |p| {
             let [x, y, turning_arm] = levers.arms([p.arm[0] - center[0], p.arm[1] - center[1]]);
             [center[0] + x, center[1] + y, turning_arm]

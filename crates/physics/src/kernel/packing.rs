@@ -178,7 +178,7 @@ impl Packing {
             (group.mu_kinetic.0[l], group.mu_excess.0[l]) = (R::from_f64(kinetic), R::from_f64(excess));
             let (stiffness, damping) = stable_spring(manifold, input.shapes, input.bodies);
             pack_points(group, l, &entry, manifold, (stiffness, damping / stiffness / input.derived.h));
-            pack_friction_arms(group, l, &entry, manifold, input.bodies);
+            pack_friction_arms(group, l, &entry, manifold, input);
             for i in [entry.a, entry.b].into_iter().filter(|&i| i != FLOOR) {
                 self.entry_counts[i as usize] += 1;
             }
@@ -293,8 +293,8 @@ fn pack_points<R: Real>(
 }
 
 /// Packs the levers of friction of an entry into lane `l`.
-fn pack_friction_arms<R: Real>(group: &mut Group<R>, l: usize, entry: &Entry, manifold: &Manifold, bodies: &Bodies) {
-    let friction_arms = manifold.friction_arms(bodies);
+fn pack_friction_arms<R: Real>(group: &mut Group<R>, l: usize, entry: &Entry, manifold: &Manifold, input: &PackInput) {
+    let friction_arms = manifold.friction_arms(input.shapes, input.bodies);
     for (&p, to) in entry.points.iter().zip(&mut group.points) {
         for (to, arm) in to.friction_arm.iter_mut().zip(friction_arms(&manifold.points[p as usize])) {
             to.0[l] = R::from_f64(arm);
