@@ -64,5 +64,5 @@ export function soften(program: WebGLProgramParametersWithUniforms, span: Shadow
 
 /** Returns the number of shadow samples for a number of sky directions. */
 export function shadowDefines(directions: number): Record<string, number> {
-  return directions > 1 ? { BLOCKER_SAMPLES: 10, SHADOW_SAMPLES: 18 } : { BLOCKER_SAMPLES: 5, SHADOW_SAMPLES: 7 };
+  return directions > 1 ? { BLOCKER_SAMPLES: 10, SHADOW_SAMPLES: 18 } : { BLOCKER_SAMPLES: 8, SHADOW_SAMPLES: 8 };
 }

@@ -1,5 +1,6 @@
 // The layout of the page at the sizes of phones and desktops, in each language.
 
+import type { Page } from 'playwright-core';
 import { afterAll, beforeAll, expect, test } from 'vitest';
 import { host, Session, SMALL, type Host } from './browser';
 
@@ -8,6 +9,21 @@ beforeAll(async () => {
   chrome = await host();
 });
 afterAll(() => chrome?.stop());
+
+/** Elements of a part of the page whose content is wider than they are, or that stick out of it. */
+function wide(page: Page, selector: string): Promise<string[]> {
+  return page.evaluate(selector => {
+    const part = document.querySelector<HTMLElement>(selector)!;
+    const { left, right } = part.getBoundingClientRect();
+    return [part, ...part.querySelectorAll<HTMLElement>('*:not(svg *, option)')]
+      .filter(e => {
+        const box = e.getBoundingClientRect();
+        const cut = e.scrollWidth > e.clientWidth + 1 && e.clientWidth > 0 && !(e instanceof SVGElement);
+        return box.width > 0 && (cut || box.left < left - 0.5 || box.right > right + 0.5);
+      })
+      .map(e => `${e.tagName} ${e.id} ${e.textContent!.trim().slice(0, 40)}`);
+  }, selector);
+}
 
 test.each([
   [390, 844, 'en'],
@@ -72,6 +88,15 @@ test.each([
   await page.selectOption('#form', 'lattice');
   await page.waitForSelector('#springs-fields:not([hidden])');
   expect(await problems(), 'with the dial of the springs').toEqual([]);
+  expect(await wide(page, '#panel'), 'in the settings').toEqual([]);
+  await page.click('#gallery-open');
+  await page.waitForSelector('#gallery img');
+  expect(await wide(page, '#gallery'), 'in the gallery').toEqual([]);
+  await page.click('#gallery-close');
+  await page.click('#help-open');
+  for (const summary of await page.locator('#help summary').all()) await summary.click();
+  expect(await wide(page, '#help'), 'in the help').toEqual([]);
+  await page.click('#help-close');
   await page.click('#panel-close');
   await page.click('#springs-toggle');
   await page.waitForSelector('#scale:not([hidden])');
