@@ -36,6 +36,25 @@ fn the_tower_of_lire_has_eight_tenths_of_a_millimetre_to_spare() {
     assert!(top.pos[0] - 0.5 * top.size[0] > base.pos[0] + 0.5 * base.size[0], "the top one is beyond the base");
 }
 
+/// Each side bears half of the last block at its inner end at worst. Above each edge, the centre of
+/// mass with that load is inside by a tenth of half a length.
+#[test]
+fn the_arch_has_four_millimetres_to_spare_at_each_edge() {
+    let scene = scene("arch", Stability::Stable);
+    let (last, sides) = scene.blocks.split_last().unwrap();
+    assert_eq!((last.pos[0], moment(sides).abs() < 1e-15), (0.0, true));
+    let side = &sides[..sides.len() / 2];
+    let end = side[side.len() - 1].pos[0] + 0.5 * last.size[0];
+    assert!(end < 0.0 && -end < 0.5 * last.size[0], "the last block reaches from side to side");
+    for (i, below) in side[..side.len() - 1].iter().enumerate() {
+        let above = &side[i + 1..];
+        let mass = above.iter().map(|b| b.mass).sum::<f64>() + 0.5 * last.mass;
+        let centre = (moment(above) + 0.5 * last.mass * end) / mass;
+        let edge = below.pos[0] + 0.5 * below.size[0];
+        assert!((edge - centre - 0.1 * 0.0405).abs() < 1e-15, "above block {i}: {}", edge - centre);
+    }
+}
+
 #[test]
 fn the_see_saw_has_no_moment_about_its_ridge() {
     let scene = scene("see-saw", Stability::Stable);
