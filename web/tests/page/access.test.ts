@@ -7,6 +7,7 @@ import type axe from 'axe-core';
 import type { Page } from 'playwright-core';
 import { afterAll, beforeAll, expect, test } from 'vitest';
 import { host, Session, SMALL, type Host } from './browser';
+import { drawOut, phase, takeOut } from './hands';
 
 declare global {
   interface Window {
@@ -34,10 +35,11 @@ async function findings(page: Page): Promise<string[]> {
 }
 
 test.each(['light', 'dark'] as const)('axe-core finds nothing on the page by %s', async colorScheme => {
-  await using session = await Session.open(chrome, 'quality=low&scale=0.2&form=lattice&rows=4&render=once', {
+  await using session = await Session.open(chrome, 'help=0&quality=low&scale=0.2&form=lattice&rows=4&render=once', {
     colorScheme,
   });
   const { page } = session;
+  await page.keyboard.press('h');
   await page.waitForSelector('#help[open]');
   for (const summary of await page.locator('#help summary').all()) await summary.click();
   expect(await findings(page), 'in the help').toEqual([]);
@@ -73,6 +75,31 @@ test.each(['light', 'dark'] as const)('axe-core finds nothing in the museum by %
   await page.waitForFunction(() => window.museum?.tower?.ready);
   await page.click('#constants summary');
   expect(await findings(page)).toEqual([]);
+});
+
+test('axe-core finds nothing in the menu, in a game and at its end, by light and dark', async () => {
+  await using session = await Session.open(chrome, `${SMALL}&rows=3&seed=1`);
+  const { page } = session;
+  const both = async (part: string) => {
+    for (const colorScheme of ['light', 'dark'] as const) {
+      await page.emulateMedia({ colorScheme });
+      expect(await findings(page), `${part} by ${colorScheme}`).toEqual([]);
+    }
+  };
+  await page.click('#menu-open');
+  for (const mode of ['opponent', 'hot-seat']) {
+    await page.click(`[data-mode="${mode}"]`);
+    await both(`in the menu, ${mode}`);
+  }
+  await session.rebuild(() => page.click('#match-start'));
+  await phase(session, 'choosing', 1);
+  await both('in a game');
+  await takeOut(session, 3);
+  await phase(session, 'choosing', 2);
+  await drawOut(session, 4);
+  await page.waitForSelector('#end[open]');
+  await page.mouse.up();
+  await both('at the end');
 });
 
 test('the focus goes through the page in its order, and is seen', async () => {
