@@ -27,7 +27,7 @@ pub use analysis::candidate::Candidate;
 pub use analysis::collapse_cause::{ContactWatch, LostContact};
 pub use analysis::estimate::{EstimateErrors, estimate};
 pub use analysis::freedom::freedom;
-pub use analysis::holders::holders;
+pub use analysis::holders::{Side, StickingContact, holders, sticking};
 pub use analysis::move_log::FallAnalysis;
 pub use analysis::proportion::Proportion;
 pub use analysis::rollout::{Rollout, TrialErrors, roll_out};

@@ -14,7 +14,7 @@ use crate::simulator::Simulator;
 use crate::stiffness_ramp::{BlockForm, StiffnessRamp};
 
 /// Kind of a snapshot: name and version of its layout.
-const KIND: &[u8] = b"teeter-game\x00\x04";
+const KIND: &[u8] = b"teeter-game\x00\x05";
 
 /// Reason why bytes are no snapshot of a game.
 ///

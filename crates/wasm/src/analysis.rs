@@ -2,8 +2,8 @@
 
 use serde::Serialize;
 use teeter_game::{
-    BlockAnalysis, BreakdownRun, FallAnalysis, MoveAnalysis, Record, Replay, Rules, Survey, Table, TrialErrors,
-    load_world,
+    BlockAnalysis, BreakdownRun, FallAnalysis, MoveAnalysis, Record, Replay, Rules, Side, StickingContact, Survey,
+    Table, TrialErrors, load_world,
 };
 use wasm_bindgen::prelude::*;
 
@@ -36,8 +36,10 @@ impl TowerAnalysis {
     }
 
     /// The blocks so far, as JSON: `[{"body", "chance_of_fall", "low", "high", "rollouts",
-    /// "force_N", "held_by", "chance_stuck", "falls_by_statics"}]`. The interval is that of 95 %;
-    /// the force is null above 10 N and before it is known.
+    /// "force_N", "held_by", "sticks_by": [{"body", "side", "load_N", "friction_N"}],
+    /// "chance_stuck", "falls_by_statics"}]`. The interval is that of 95 %; the force is null above
+    /// 10 N and before it is known; a body that is null is the floor, and the side `above`, `below`
+    /// or `beside`.
     pub fn blocks(&self) -> Result<String, Error> {
         let blocks: Vec<Block> = self.0.blocks().iter().map(Block::new).collect();
         text::write("blocks", &blocks)
@@ -57,8 +59,27 @@ struct Block {
     #[serde(rename = "force_N")]
     force_n: Option<f64>,
     held_by: Vec<u32>,
+    sticks_by: Vec<Sticks>,
     chance_stuck: f64,
     falls_by_statics: Option<bool>,
+}
+
+/// Contact that holds a block by friction.
+#[derive(Serialize)]
+struct Sticks {
+    body: Option<u32>,
+    side: Side,
+    #[serde(rename = "load_N")]
+    load_n: f64,
+    #[serde(rename = "friction_N")]
+    friction_n: f64,
+}
+
+impl Sticks {
+    fn new(contact: &StickingContact) -> Self {
+        let StickingContact { other, side, load_n, friction_n } = *contact;
+        Self { body: other.map(|body| body.0), side, load_n, friction_n }
+    }
 }
 
 impl Block {
@@ -68,6 +89,7 @@ impl Block {
             chance: block.tally.falls.into(),
             force_n: block.force_n,
             held_by: block.held_by.iter().map(|body| body.0).collect(),
+            sticks_by: block.sticking.iter().map(Sticks::new).collect(),
             chance_stuck: block.tally.stuck.share(),
             falls_by_statics: block.candidate.falls,
         }
@@ -100,8 +122,8 @@ impl RecordAnalysis {
     /// The moves so far, as JSON: `{"moves": [{"turn", "player", "body", "at_s", "chance_of_fall",
     /// "low", "high", "rollouts", "safest": {"body", "chance_of_fall", ...} | null, "blunder",
     /// "fell"}], "riskiest": index | null, "fall": {"at_s", "bodies", "taken", "first_lost":
-    /// {"above", "below", "load_N", "at_s"} | null} | null}`. Players count from 0, and `below` is
-    /// null for the floor.
+    /// {"above", "below", "load_N", "at_s"} | null} | null, "diverged"}`. Players count from 0, `below`
+    /// is null for the floor, and a replay that diverged may play other moves than the record.
     pub fn report(&self) -> Result<String, Error> {
         let breakdown = self.0.clone().finish();
         let riskiest = breakdown.riskiest();
@@ -109,6 +131,7 @@ impl RecordAnalysis {
             riskiest: riskiest.and_then(|riskiest| breakdown.moves.iter().position(|played| played == riskiest)),
             moves: breakdown.moves.iter().map(Move::new).collect(),
             fall: breakdown.fall.as_ref().map(Fall::new),
+            diverged: breakdown.diverged,
         };
         text::write("report", &report)
     }
@@ -119,6 +142,7 @@ struct Report {
     moves: Vec<Move>,
     riskiest: Option<usize>,
     fall: Option<Fall>,
+    diverged: bool,
 }
 
 #[derive(Serialize)]

@@ -7,8 +7,8 @@ use std::path::PathBuf;
 use clap::Args;
 use serde::Serialize;
 use teeter_game::{
-    BlockAnalysis, Breakdown, MoveAnalysis, Proportion, Record, Rules, Survey, Table, TrialErrors, analyse_tower,
-    breakdown,
+    BlockAnalysis, Breakdown, MoveAnalysis, Proportion, Record, Rules, Side, StickingContact, Survey, Table,
+    TrialErrors, analyse_tower, breakdown, engine_id,
 };
 use teeter_physics::{BodyId, Params, World};
 use teeter_report::progress;
@@ -66,10 +66,23 @@ struct Block {
     #[serde(rename = "force_N")]
     force_n: Option<f64>,
     held_by: Vec<u32>,
+    sticks_by: Vec<Sticks>,
     /// Share of the rollouts in which the block did not come out.
     chance_stuck: f64,
     /// True when rigid blocks fall without it.
     falls_by_statics: Option<bool>,
+}
+
+/// Contact that holds a block by friction.
+#[derive(Debug, Serialize)]
+struct Sticks {
+    /// None for the floor.
+    block: Option<u32>,
+    side: Side,
+    #[serde(rename = "load_N")]
+    load_n: f64,
+    #[serde(rename = "friction_N")]
+    friction_n: f64,
 }
 
 /// A move of a record.
@@ -149,6 +162,10 @@ impl Analyse {
     }
 
     fn record(&self, record: &Record, name: &str) -> Result<Report, Error> {
+        let mut warnings = Warnings::default();
+        if record.engine != engine_id() {
+            warnings.add_engine(&record.engine, "its game is analysed as this engine plays it");
+        }
         let survey = self.survey(record.rules, 0.5 * self.budget);
         let bar = progress(0, "rollouts");
         let breakdown = breakdown(record, &survey, || bar.inc(1));
@@ -156,7 +173,10 @@ impl Analyse {
         let breakdown = breakdown.map_err(|source| Error::Record { name: name.to_owned(), source })?;
         let blocks = self.blocks(&record.scene, &breakdown.tower, &survey)?;
         let game = Some(GameReport::new(&record.scene, &breakdown));
-        Ok(Report { blocks, game, warnings: Warnings::default() })
+        if breakdown.diverged {
+            warnings.add("the replay is not the same as the record: moves can differ from those that were played");
+        }
+        Ok(Report { blocks, game, warnings })
     }
 
     fn blocks(&self, scene: &Scene, world: &World, survey: &Survey) -> Result<Vec<Block>, Error> {
@@ -180,9 +200,17 @@ impl Block {
             chance: block.tally.falls.into(),
             force_n: block.force_n,
             held_by: block.held_by.iter().map(|body| id(scene, *body)).collect(),
+            sticks_by: block.sticking.iter().map(|contact| Sticks::new(scene, contact)).collect(),
             chance_stuck: block.tally.stuck.share(),
             falls_by_statics: block.candidate.falls,
         }
+    }
+}
+
+impl Sticks {
+    fn new(scene: &Scene, contact: &StickingContact) -> Self {
+        let StickingContact { other, side, load_n, friction_n } = *contact;
+        Self { block: other.map(|body| id(scene, body)), side, load_n, friction_n }
     }
 }
 

@@ -55,6 +55,8 @@ pub struct Breakdown {
     pub fall: Option<FallAnalysis>,
     /// Tower before the last move, at rest; as it ended where no block was taken.
     pub tower: World,
+    /// True when the replay was not the same as the record.
+    pub diverged: bool,
 }
 
 impl Breakdown {
@@ -183,7 +185,7 @@ impl<'a> BreakdownRun<'a> {
     pub fn finish(self) -> Breakdown {
         let MoveLog { moves, fall, before, .. } = self.log;
         let tower = moves.into_iter().last().map_or_else(|| before.world().clone(), |played| played.before);
-        Breakdown { moves: self.moves, fall, tower }
+        Breakdown { moves: self.moves, fall, tower, diverged: !self.replay.is_same() }
     }
 
     fn is_replayed(&self) -> bool {

@@ -4,7 +4,7 @@ use teeter_physics::{BodyId, BuildError, World};
 use teeter_study::{breakaway_force, par_map};
 
 use crate::analysis::candidate::{Candidate, Ranking};
-use crate::analysis::holders::holders;
+use crate::analysis::holders::{StickingContact, holders, sticking};
 use crate::analysis::survey::{Survey, SurveyRun, Tally};
 
 /// Analysis of taking a block.
@@ -18,6 +18,8 @@ pub struct BlockAnalysis {
     pub force_n: Option<f64>,
     /// Blocks whose load bears on it.
     pub held_by: Vec<BodyId>,
+    /// Contacts by which it sticks, the one with the largest friction first.
+    pub sticking: Vec<StickingContact>,
 }
 
 /// Analyses every block of a world at rest, in order of creation. Calls `tried` after each rollout.
@@ -150,8 +152,9 @@ impl TowerAnalysis {
         let forces = self.forces.iter().copied().chain(std::iter::repeat(None));
         let blocks = self.candidates.iter().zip(self.rollouts.tallies()).zip(forces);
         let blocks = blocks.map(|((candidate, tally), force_n)| {
-            let held_by = holders(self.rollouts.world(), candidate.body);
-            BlockAnalysis { candidate: *candidate, tally: *tally, force_n, held_by }
+            let (world, body) = (self.rollouts.world(), candidate.body);
+            let (held_by, sticking) = (holders(world, body), sticking(world, body));
+            BlockAnalysis { candidate: *candidate, tally: *tally, force_n, held_by, sticking }
         });
         blocks.collect()
     }

@@ -66,6 +66,9 @@ pub struct Referee {
     out: Vec<bool>,
     /// Player who was the last to place a block safely.
     safe: Option<u32>,
+    /// Player who placed the last block, and the time for which they answer for a fall that nobody
+    /// else's touch causes, s. The turn itself ends earlier where the tower is at rest.
+    placer: Option<(u32, f64)>,
     outcome: Option<Outcome>,
     /// True before the first frame.
     is_new: bool,
@@ -90,6 +93,7 @@ impl Referee {
             scores: rules.points.map_or_else(Vec::new, |_| vec![0; players]),
             out: vec![false; players],
             safe: None,
+            placer: None,
             outcome: None,
             is_new: true,
         };
@@ -197,6 +201,7 @@ impl Referee {
             Phase::Removing if self.block != Some(body) => (self.phase, self.block) = (Phase::Choosing, None),
             _ => {}
         }
+        self.placer = None;
         let before = self.origins.iter().position(|(other, _)| *other == body);
         let origin = before.map_or((body, blocks.position(body)), |index| self.origins.remove(index));
         self.origins.push(origin);
@@ -215,9 +220,13 @@ impl Referee {
             return false;
         }
         if frame.fell {
-            self.finish(self.player, events);
+            self.finish(self.placer.map_or(self.player, |(player, _)| player), events);
             return false;
         }
+        self.placer = self.placer.and_then(|(player, left)| {
+            let left = left - frame.seconds;
+            (left > 0.5 * frame.seconds).then_some((player, left))
+        });
         match self.phase {
             Phase::Settling => self.settling += frame.seconds,
             _ => self.elapsed += frame.seconds,
@@ -307,6 +316,8 @@ impl Referee {
     fn end_turn(&mut self, blocks: &Blocks, events: &mut Vec<Event>) {
         events.push(Event::Settled { player: self.player });
         self.safe = Some(self.player);
+        let left = self.rules.settle_s - self.settling;
+        self.placer = (left > 0.0).then_some((self.player, left));
         if let (Some(points), Some(body)) = (self.rules.points, self.block) {
             let cells = TowerMap::new(blocks, None).cells();
             let row = cells.iter().find(|(other, _)| *other == body).map(|(_, cell)| cell.row);
@@ -388,6 +399,7 @@ impl Referee {
             && self.rules.has_turns()
             && is_player(&self.player)
             && self.safe.iter().all(is_player)
+            && self.placer.iter().all(|(player, _)| is_player(player))
             && self.out.len() == players as usize
             && self.scores.len() == self.rules.points.map_or(0, |_| players as usize)
             && self.block.iter().chain(&self.removable).chain(self.origins.iter().map(|(body, _)| body)).all(is_body)
@@ -401,6 +413,7 @@ impl Referee {
 mod tests {
     use super::*;
     use crate::blocks::samples::{moved, tower};
+    use crate::hand::grip::GripMode;
     use crate::rules::table::Table;
 
     #[test]
@@ -413,5 +426,42 @@ mod tests {
         assert_eq!(referee.slot_of(&narrow, BodyId(8)), Some(CellId { row: 3, cell: 1 }));
         let beside = moved(&narrow, 8, DVec3::new(0.3, 0.0, -3.0 * 0.018));
         assert_eq!(referee.slot_of(&beside, BodyId(8)), None);
+    }
+
+    /// Loser of a game in which player 0 places a block, the tower rests after a second, and a block
+    /// falls some seconds after placing; with a touch of player 1 before it, or without.
+    fn loser(fall_s: u32, is_touched: bool) -> Option<u32> {
+        let before = tower(&["xxx", "xxx", "xxx"], 0.0);
+        let (body, other) = (BodyId(4), BodyId(1));
+        let mut referee = Referee::new(Rules::of(Table::Official, 2), &before).unwrap();
+        let grasp = |body| Command::Grasp { body, anchor: DVec3::ZERO, normal: DVec3::X, grip: GripMode::Auto };
+        let mut events = Vec::new();
+        let mut observe = |referee: &mut Referee, blocks: &Blocks, held, fell, at_rest| {
+            referee.observe(&Frame { blocks, held, fell, at_rest, seconds: 1.0 / 60.0 }, &mut events);
+        };
+        referee.accept(&grasp(body), &before, &mut Vec::new());
+        let out = moved(&before, body.0, DVec3::new(0.2, 0.0, 0.0));
+        observe(&mut referee, &out, Some(body), false, false);
+        let slot = TowerMap::new(&out, Some(body)).slots(out.size(body))[1].position;
+        let placed = moved(&before, body.0, slot - before.position(body));
+        observe(&mut referee, &placed, None, false, false);
+        assert_eq!(referee.phase, Phase::Settling);
+        for frame in 1..=60 * fall_s {
+            if is_touched && frame == 60 * fall_s {
+                referee.accept(&grasp(other), &placed, &mut Vec::new());
+            }
+            observe(&mut referee, &placed, None, false, frame >= 60);
+        }
+        assert_eq!((referee.player, referee.phase), (1, Phase::Choosing));
+        observe(&mut referee, &placed, None, true, false);
+        referee.outcome.unwrap().loser
+    }
+
+    #[test]
+    fn a_tower_that_falls_untouched_within_ten_seconds_is_that_of_the_player_who_placed() {
+        assert_eq!(loser(3, false), Some(0));
+        assert_eq!(loser(9, false), Some(0));
+        assert_eq!(loser(11, false), Some(1), "the turn before is over");
+        assert_eq!(loser(3, true), Some(1), "a touch begins the next turn");
     }
 }

@@ -39,7 +39,8 @@ pub enum Phase {
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
 pub struct Outcome {
-    /// Player in whose turn the tower fell, or who gave up last. This player rebuilds the tower and
+    /// Player in whose turn the tower fell, or who placed the last block less than 10 s before and
+    /// nobody touched another since; or who gave up last. This player rebuilds the tower and
     /// begins the next game.
     pub loser: Option<u32>,
     /// Player who was the last to place a block safely; none where one plays alone.

@@ -89,7 +89,7 @@ proptest! {
     #[test]
     fn forged_snapshots_never_panic(changes in prop::collection::vec((any::<prop::sample::Index>(), any::<u8>()), 1..4)) {
         let (mut game, bytes) = placing();
-        let kind = b"teeter-game\x00\x04";
+        let kind = b"teeter-game\x00\x05";
         let mut content = bytes[kind.len() + 16..].to_vec();
         // The world's own bytes come last and are checked by the physics.
         let own = content.len() - game.world().snapshot().len();

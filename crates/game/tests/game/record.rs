@@ -61,7 +61,7 @@ fn each_fault_of_a_file_has_its_name() {
         let error = decode(&bytes[..end]);
         assert!(matches!(error, RecordError::Truncated { found, .. } if found == end as u64), "{end}: {error}");
     }
-    for foreign in [&b""[..], b"{}", b"teeter", b"teeter-game\x00\x04", &bytes[1..]] {
+    for foreign in [&b""[..], b"{}", b"teeter", b"teeter-game\x00\x05", &bytes[1..]] {
         let error = decode(foreign);
         let is_named = matches!(error, RecordError::Foreign) || foreign == b"teeter";
         assert!(is_named, "{error}");

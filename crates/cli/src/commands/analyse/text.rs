@@ -1,6 +1,8 @@
 //! Report of `teeter analyse` for people.
 
-use super::{Block, Chance, Fall, GameReport, Report};
+use teeter_game::Side;
+
+use super::{Block, Chance, Fall, GameReport, Report, Sticks};
 use crate::error::Error;
 use crate::output;
 
@@ -12,7 +14,7 @@ impl Report {
         }
         let of = if self.game.is_some() { "the tower before the last move" } else { "taking each block" };
         output::line(&format!("{name}: {of}; chances with intervals of 95 %, forces in N, - is none below 10 N"))?;
-        output::line("block  chance of fall           force  stuck  held by")?;
+        output::line("block  chance of fall           force  stuck  held by (load in N)")?;
         self.blocks.iter().try_for_each(|block| output::line(&block.line()))
     }
 }
@@ -20,10 +22,20 @@ impl Report {
 impl Block {
     fn line(&self) -> String {
         let force = self.force_n.map_or("-".to_owned(), |force| format!("{force:.3}"));
-        let held_by: Vec<String> = self.held_by.iter().map(u32::to_string).collect();
-        let held_by = if held_by.is_empty() { "-".to_owned() } else { held_by.join(" ") };
+        // What is below holds every block.
+        let holders = self.sticks_by.iter().filter(|contact| contact.side != Side::Below);
+        let held_by: Vec<String> = holders.map(Sticks::text).collect();
+        let held_by = if held_by.is_empty() { "-".to_owned() } else { held_by.join(", ") };
         let (id, chance, stuck) = (self.id, &self.chance, 100.0 * self.chance_stuck);
         format!("{id:>5}  {chance}  {force:>7}  {stuck:>3.0} %  {held_by}")
+    }
+}
+
+impl Sticks {
+    fn text(&self) -> String {
+        let block = self.block.map_or("floor".to_owned(), |id| id.to_string());
+        let beside = if self.side == Side::Beside { " beside" } else { "" };
+        format!("{block}{beside} ({:.2})", self.load_n)
     }
 }
 
