@@ -122,8 +122,9 @@ impl RecordAnalysis {
     /// The moves so far, as JSON: `{"moves": [{"turn", "player", "body", "at_s", "chance_of_fall",
     /// "low", "high", "rollouts", "safest": {"body", "chance_of_fall", ...} | null, "blunder",
     /// "fell"}], "riskiest": index | null, "fall": {"at_s", "bodies", "taken", "first_lost":
-    /// {"above", "below", "load_N", "at_s"} | null} | null, "diverged"}`. Players count from 0, `below`
-    /// is null for the floor, and a replay that diverged may play other moves than the record.
+    /// {"above", "below", "load_N", "at_s"} | null} | null, "diverged"}`. Players count from 0,
+    /// `below` is null for the floor, and a replay that diverged may play other moves than the
+    /// record.
     pub fn report(&self) -> Result<String, Error> {
         let breakdown = self.0.clone().finish();
         let riskiest = breakdown.riskiest();

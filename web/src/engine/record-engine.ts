@@ -1,7 +1,7 @@
 // The engine that a record is replayed by: that of this page, or the kept one that wrote it. Bits
 // may differ from engine to engine, so each release keeps its own (tools/keep-engine).
 
-/** What a replay needs of an engine. */
+/** Part of an engine that a replay uses. */
 export type Engine = Pick<
   typeof import('../wasm/teeter_wasm.js'),
   'Replay' | 'Keyframes' | 'engineId' | 'recordEngine'
@@ -52,7 +52,7 @@ async function fetched(url: URL): Promise<Uint8Array<ArrayBuffer> | null> {
 
 const begins = (bytes: Uint8Array, ...magic: number[]) => magic.every((byte, index) => bytes[index] === byte);
 
-/** Bytes of a module. Some servers unpack them, and some answer with a page where a file is missing. */
+/** Bytes of a module. Some servers unpack them, and some send a page where a file is missing. */
 async function unpacked(bytes: Uint8Array<ArrayBuffer>): Promise<Uint8Array<ArrayBuffer> | null> {
   let module = bytes;
   if (begins(bytes, 0x1f, 0x8b)) {

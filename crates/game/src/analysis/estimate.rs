@@ -194,8 +194,8 @@ mod tests {
         assert_eq!(believed.body(0), Some(BodyId(0)));
     }
 
-    /// Rows that are at an angle come into each other where they are shifted. Without an estimate an
-    /// opponent has nothing to choose from.
+    /// Rows that are at an angle come into each other where they are shifted. Without an estimate
+    /// an opponent has nothing to choose from.
     #[test]
     fn an_opponent_does_not_give_up_before_a_tower_that_leans() {
         let mut scene = tower(&TowerOptions { rows: 5, ..TowerOptions::exact() }).unwrap();

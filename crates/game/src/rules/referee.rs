@@ -428,8 +428,8 @@ mod tests {
         assert_eq!(referee.slot_of(&beside, BodyId(8)), None);
     }
 
-    /// Loser of a game in which player 0 places a block, the tower rests after a second, and a block
-    /// falls some seconds after placing; with a touch of player 1 before it, or without.
+    /// Loser of a game in which player 0 places a block, the tower rests after a second, and a
+    /// block falls some seconds after placing; with a touch of player 1 before it, or without.
     fn loser(fall_s: u32, is_touched: bool) -> Option<u32> {
         let before = tower(&["xxx", "xxx", "xxx"], 0.0);
         let (body, other) = (BodyId(4), BodyId(1));
