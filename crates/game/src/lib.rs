@@ -23,6 +23,7 @@ mod tower_map;
 mod update;
 
 pub use analysis::breakdown::{Breakdown, BreakdownRun, MoveAnalysis, breakdown};
+pub use analysis::calibration::{CalibrationError, HeldOutMove};
 pub use analysis::candidate::Candidate;
 pub use analysis::collapse_cause::{ContactWatch, LostContact};
 pub use analysis::estimate::{EstimateErrors, estimate};

@@ -1,6 +1,7 @@
 //! Commands of the shell, a file each.
 
 mod analyse;
+mod calibrate;
 mod dissertation;
 mod forces;
 mod play;
@@ -35,6 +36,8 @@ pub enum Command {
     Replay(replay::Replay),
     /// Find the chance that taking each block fells a tower, or the moves of a recorded game.
     Analyse(analyse::Analyse),
+    /// Hold chances of a fall against the outcome of moves that are then played.
+    Calibrate(calibrate::Calibrate),
     /// Play opponents against each other, a record a game, with a table of results.
     Tournament(tournament::Tournament),
     /// Predict labelled towers: which fall, or at what tilt.
@@ -62,6 +65,7 @@ impl Command {
             Command::Record(record) => record.run(),
             Command::Replay(replay) => replay.run(),
             Command::Analyse(analyse) => analyse.run(),
+            Command::Calibrate(calibrate) => calibrate.run(),
             Command::Tournament(tournament) => tournament.run(),
             Command::Score(score) => score.run(),
             Command::Forces(forces) => forces.run(),

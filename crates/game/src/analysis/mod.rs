@@ -1,6 +1,7 @@
 //! Analysis of moves: the chance that taking a block fells the tower, by rollouts.
 
 pub mod breakdown;
+pub mod calibration;
 pub mod candidate;
 pub mod collapse_cause;
 pub mod estimate;
