@@ -1,5 +1,5 @@
-// The first minute: one turn that is shown by a moving hand with a line of text, and then an offer to
-// play. It follows what the player does, and goes away at once when it is closed.
+// The first minute: one turn that is shown by a moving hand with a line of text, and then an offer
+// to play. It follows what the player does, and goes away at once when it is closed.
 
 import type { Play } from '../app/play';
 import type { Stage } from '../app/stage';
@@ -56,7 +56,7 @@ export class Guide {
     if (events.includes('placed') || events.includes('fell')) this.finish(events.includes('placed'));
     else if (update.hand?.grip === 'carry') this.enter('carrying', games.guide.carry);
     else if (this.step === 'waiting' && update.at_rest) void this.choose();
-    else if (this.step === 'carrying' && !update.hand) this.enter('carrying', games.guide.place);
+    else if (this.step === 'carrying' && !update.hand) this.enter('carrying', games.guide.press);
     this.point();
   }
 

@@ -79,7 +79,10 @@ export class Hand {
     return this.state.name !== 'idle' && this.state.name !== 'poking';
   }
 
-  /** Hand of the last update, also of another player; of the page's own null until the command that began the gesture has been applied. */
+  /**
+   * Hand of the last update, also that of another player; null until the command that began the
+   * gesture has been applied.
+   */
   get held(): HandUpdate | null {
     const { frame, watching } = this.store.state;
     if (watching) return frame?.update.hand ?? null;

@@ -121,6 +121,7 @@ export const gamesDe: typeof gamesEn = {
     scrub: 'Zeit der Wiedergabe',
     speed: 'Tempo',
     challenge: 'Selbst von ihrem Anfang an spielen',
+    beat: 'Selbst',
     save: 'Als Datei sichern',
     close: 'Wiedergabe schließen',
   },
@@ -158,7 +159,7 @@ export const gamesDe: typeof gamesEn = {
   guide: {
     pull: 'Zieh diesen Klotz heraus.',
     carry: 'Trag ihn zu einem Geist oben auf und lass los.',
-    place: 'Drück auf Ablegen, dann legt die Hand ihn auf.',
+    press: 'Drück auf Ablegen, dann legt die Hand ihn auf.',
     done: 'Das war ein Zug. Spielen wir?',
     fell: 'Er fiel: Das kommt vor. Spielen wir?',
     on: 'Frei weiterspielen',

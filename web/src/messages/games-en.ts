@@ -121,6 +121,7 @@ export const gamesEn = {
     scrub: 'Time of the replay',
     speed: 'Speed',
     challenge: 'Play from the start of it yourself',
+    beat: 'Beat it',
     save: 'Save as a file',
     close: 'Close the replay',
   },
@@ -160,7 +161,7 @@ export const gamesEn = {
   guide: {
     pull: 'Pull this block out.',
     carry: 'Carry it to a ghost on top, and let go.',
-    place: 'Press Place, and the hand puts it on top.',
+    press: 'Press Place, and the hand puts it on top.',
     done: 'That was a turn. Shall we play?',
     fell: 'It fell: that happens. Shall we play?',
     on: 'Go on freely',

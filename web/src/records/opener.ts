@@ -27,7 +27,7 @@ export class Opener {
     return verified;
   }
 
-  /** Plays a record again in a worker; null, with the reason on the page, where it is none or forged. */
+  /** Plays a record again in a worker; null, with the reason on the page, where it is not true. */
   private async verify(bytes: Uint8Array): Promise<Verified | null> {
     const check = ++this.checks;
     const { records } = games;

@@ -45,7 +45,7 @@ export class Sharing {
     const { records } = games;
     const shared = await share(records.shareTitle, link);
     if (shared === 'copied') this.notice.show(records.copied, LONG);
-    // The address of the page is a place from which any browser can copy.
+    // Any browser can copy the address of the page.
     if (shared === 'refused') {
       history.replaceState(null, '', link);
       this.notice.show(records.cannotCopy, LONG);

@@ -40,7 +40,7 @@ export class ReplayBar {
       this.scrub,
       this.time,
       this.speed,
-      button('replay-challenge', 'i-person', games.replay.challenge, () => actions.challenge()),
+      this.challengeButton(() => actions.challenge()),
       button('replay-save', 'i-file', games.replay.save, () => actions.save()),
       button('replay-close', 'i-close', games.replay.close, () => actions.close()),
     );
@@ -49,6 +49,13 @@ export class ReplayBar {
     store.subscribe(['world'], ({ world }) => this.begin(world?.frames ?? null));
     store.subscribe(['frame', 'paused'], state => this.show(state));
     store.subscribe(['speed'], ({ speed }) => (this.speed.value = String(speed)));
+  }
+
+  private challengeButton(action: () => void): HTMLElement {
+    const node = create('button', { id: 'replay-challenge', class: 'plain', title: games.replay.challenge });
+    node.textContent = games.replay.beat;
+    node.addEventListener('click', action);
+    return node;
   }
 
   private listen(): void {

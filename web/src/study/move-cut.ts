@@ -75,7 +75,7 @@ export class MoveCut {
     this.attempt = this.begin();
   }
 
-  /** Plays a frame; returns the part that is done. The coarsest commands with the same end count. */
+  /** Plays a frame; returns the part that is done. The coarsest commands of the same end count. */
   step(): number {
     const part = this.attempt.step();
     const { fell, placed } = this.attempt;

@@ -10,8 +10,8 @@ const TURNED = 0.02;
 type Move = Extract<GameCommand, { command: 'move' }>;
 
 /**
- * Sums the displacements of `stride` frames into one, rounded to tenths of a millimetre with what is
- * left carried on; the sum of all stays the same. Commands stay in their frames otherwise.
+ * Sums the displacements of `stride` frames into one, rounded to tenths of a millimetre with what
+ * is left carried on; the sum of all stays the same. Commands stay in their frames otherwise.
  */
 export function thinned(commands: readonly GameCommand[], stride: number): GameCommand[] {
   const result: GameCommand[] = [];

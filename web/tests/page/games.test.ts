@@ -98,7 +98,7 @@ test('a page that is loaded again in mid-game goes on with the same states', asy
 });
 
 test('the computer thinks beside the page and moves in its turn, and the game goes on', async () => {
-  await using session = await Session.open(chrome, `${LOW}&rows=4&mode=opponent`);
+  await using session = await Session.open(chrome, `${LOW}&mode=opponent`);
   const { page } = session;
   await takeOut(session, 4);
   await phase(session, 'choosing', 2);
@@ -110,10 +110,8 @@ test('the computer thinks beside the page and moves in its turn, and the game go
   await page.mouse.move(at.x + 60, at.y, { steps: 4 });
   await page.mouse.up();
   await page.waitForFunction(azimuth => window.teeter.camera.azimuth !== azimuth, turned);
-  await page.waitForFunction(() => {
-    const { turn } = window.teeter;
-    return turn?.phase === 'over' || turn?.number === 3;
-  });
+  const next = () => window.teeter.turn?.phase === 'over' || window.teeter.turn?.number === 3;
+  await page.waitForFunction(next, undefined, { timeout: 400_000 });
   const { turn, record } = await page.evaluate(async () => ({
     turn: window.teeter.turn!,
     record: await window.teeter.record(),

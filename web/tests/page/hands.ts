@@ -30,7 +30,7 @@ export async function drawOut(session: Session, body: number): Promise<{ x: numb
   const { at, out } = await endOf(session, body);
   await session.page.mouse.move(at.x, at.y);
   await session.page.mouse.down();
-  await drag(session, at, out, 40, 0.03);
+  await drag(session, at, out, 25, 0.04);
   return out;
 }
 
