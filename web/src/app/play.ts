@@ -35,6 +35,8 @@ export class Play {
   /** Workers beside the game. */
   readonly pool = new Pool();
   private readonly thinker: Thinker;
+  /** Scene of a challenge (JSON). */
+  private scene: string | null = null;
   private opening: () => Promise<boolean> = async () => false;
 
   /** `xray` takes the X-ray of a tower at rest. */
@@ -111,6 +113,7 @@ export class Play {
   /** Builds the world of the settings, and begins the next game of the match. */
   build(): void {
     const { settings, match } = this.store.state;
+    if (match.mode === 'challenge' && this.scene !== null) return this.beginsOn(this.scene, match);
     this.request(setupOf(settings, rulesOf(match, settings.seed), computersOf(match, settings.seed)));
   }
 
@@ -124,6 +127,7 @@ export class Play {
   /** Begins a match on a scene (JSON). */
   beginsOn(scene: string, match: Match): void {
     this.store.set({ match });
+    this.scene = scene;
     const rules = rulesOf(match, this.store.state.settings.seed);
     this.request({ ...setupOf(this.store.state.settings, rules), source: { kind: 'scene', text: scene } });
   }
@@ -137,7 +141,8 @@ export class Play {
   /** Begins a match. */
   begins(match: Match, change: Partial<Settings> = {}): void {
     this.store.set({ match });
-    this.rebuild(change);
+    this.change(change);
+    this.build();
   }
 
   /** Begins the next game of the match, on a tower of other blocks. */
@@ -151,10 +156,15 @@ export class Play {
     this.client.build(setup);
   }
 
-  /** Changes settings and builds their world. */
+  /**
+   * Changes settings and builds their world. A scene that is no tower is played freely, and another
+   * tower than that of the day alone.
+   */
   rebuild(change: Partial<Settings>): void {
-    this.change(change);
-    this.build();
+    const { match } = this.store.state;
+    const mode = change.scene ? 'free' : match.mode === 'daily' || match.mode === 'challenge' ? 'solo' : null;
+    const isReplay = match.mode === 'replay';
+    this.begins(mode || isReplay ? modeOf(mode).match() : match, change);
   }
 
   /**

@@ -100,8 +100,9 @@ export class Hand {
     return this.held ? this.store.state.frame!.update.slots : [];
   }
 
-  /** Grasps a block at the point that was hit. */
+  /** Grasps a block at the point that was hit; nothing while the player only watches. */
   press({ body, anchor, normal }: Hit): void {
+    if (this.store.state.watching) return;
     const command = this.sink.command({
       command: 'grasp',
       body,

@@ -3,7 +3,7 @@
 import type { PageStore } from '../app/state';
 import { games } from '../messages';
 import type { Match } from '../modes/match';
-import { create, icon } from '../ui/dom';
+import { create, element, icon } from '../ui/dom';
 import { MatchForm } from './match-form';
 
 export interface MenuActions {
@@ -39,7 +39,8 @@ export class MenuDialog {
     const open = create('button', { id: 'menu-open', class: 'pill', title: games.menu.openTitle });
     open.append(icon('i-games'), create('span', {}, games.menu.open));
     open.addEventListener('click', () => store.set({ menuOpen: true }));
-    document.body.append(open, this.dialog);
+    element('legend').after(open);
+    document.body.append(this.dialog);
     this.form = new MatchForm((match, rows) => {
       this.dialog.close();
       actions.begin(match, rows);

@@ -66,14 +66,8 @@ export const gamesDe: typeof gamesEn = {
     undone: 'Zurückgenommen.',
     points: points => counted(points, 'Punkt', 'Punkte'),
     height: mm => `${mm} mm hoch`,
-    thrown: {
-      even: 'Reihen, die wie die unterste liegen',
-      odd: 'Reihen quer zur untersten',
-      middle: 'die Mitte der',
-      end: 'ein Rand der',
-      any: 'jeder Klotz der',
-    },
-    die: (cell, row) => `Der Würfel: ${cell} ${row}`,
+    thrown: { even: 'Reihen längs', odd: 'Reihen quer', middle: 'Mitte', end: 'Rand', any: 'jeder Klotz' },
+    die: (cell, row) => `Würfel: ${cell}, ${row}`,
   },
   end: {
     fell: (name, count) => `${counted(count, 'Klotz fiel', 'Klötze fielen')} im Zug von ${name}.`,

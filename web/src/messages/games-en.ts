@@ -65,14 +65,8 @@ export const gamesEn = {
     undone: 'Taken back.',
     points: (points: number) => counted(points, 'point', 'points'),
     height: (mm: number) => `${mm} mm high`,
-    thrown: {
-      even: 'rows that lie as the bottom one',
-      odd: 'rows across the bottom one',
-      middle: 'the middle of',
-      end: 'an end of',
-      any: 'any block of',
-    },
-    die: (cell: string, row: string) => `The die: ${cell} ${row}`,
+    thrown: { even: 'rows along', odd: 'rows across', middle: 'middle', end: 'end', any: 'any block' },
+    die: (cell: string, row: string) => `Die: ${cell}, ${row}`,
   },
   end: {
     fell: (name: string, count: number) => `${counted(count, 'block', 'blocks')} fell in the turn of ${name}.`,

@@ -39,12 +39,31 @@ test.each(['light', 'dark'] as const)('axe-core finds nothing on the page by %s'
     colorScheme,
   });
   const { page } = session;
+  await page.waitForSelector('#coach:not([hidden])');
+  expect(await findings(page), 'in the first minute').toEqual([]);
+  await page.click('#coach-close');
   await page.keyboard.press('h');
   await page.waitForSelector('#help[open]');
   for (const summary of await page.locator('#help summary').all()) await summary.click();
   expect(await findings(page), 'in the help').toEqual([]);
   await page.click('#help-close');
   expect(await findings(page), 'in play').toEqual([]);
+  await page.click('#menu-open');
+  for (const mode of ['hot-seat', 'opponent', 'daily', 'solo', 'practice', 'free']) {
+    await page.click(`[data-mode="${mode}"]`);
+    expect(await findings(page), `in the menu at ${mode}`).toEqual([]);
+  }
+  await page.click('[data-mode="hot-seat"]');
+  await session.rebuild(() => page.click('#match-start'));
+  await page.waitForSelector('#turn:not([hidden])');
+  expect(await findings(page), 'in a game with turns').toEqual([]);
+  await page.keyboard.press('g');
+  await page.click('#menu-resign');
+  await page.waitForSelector('#end[open]');
+  expect(await findings(page), 'at the end of a game').toEqual([]);
+  await page.click('#end-other');
+  await page.click('[data-mode="free"]');
+  await session.rebuild(() => page.click('#match-start'));
   await page.click('#settings');
   expect(await findings(page), 'in the settings').toEqual([]);
   await page.click('#gallery-open');
@@ -118,7 +137,17 @@ test('the focus goes through the page in its order, and is seen', async () => {
     order.push(name);
     if (name === 'settings') break;
   }
-  expect(order).toEqual(['picture', 'springs-toggle', 'xray-toggle', 'mute', 'auto', 'pause', 'reset', 'settings']);
+  expect(order).toEqual([
+    'picture',
+    'springs-toggle',
+    'xray-toggle',
+    'mute',
+    'menu-open',
+    'auto',
+    'pause',
+    'reset',
+    'settings',
+  ]);
 });
 
 test('less motion means no transitions, and more contrast no soft text', async () => {

@@ -3,7 +3,7 @@
 import { afterAll, beforeAll, expect, test } from 'vitest';
 import { host, Session, SMALL, states, type Host } from './browser';
 import { load } from '../engine.mjs';
-import { drawOut, endOf, phase, takeOut } from './hands';
+import { drawOut, endOf, lead, phase, takeOut } from './hands';
 
 let chrome: Host;
 beforeAll(async () => {
@@ -192,5 +192,42 @@ test('by touch on a phone a block is drawn out and put on top, and the tower is 
   await page.waitForSelector('#end[open]');
   await send('touchEnd', []);
   expect(await page.textContent('#end-title')).toBe('Player 1 wins');
+  expect(session.complaints).toEqual([]);
+});
+
+test('a game of two is played to its end with keys alone', async () => {
+  await using session = await Session.open(chrome, LOW);
+  const { page } = session;
+  // From the menu to the first turn.
+  await page.keyboard.press('g');
+  await page.waitForSelector('#menu[open]');
+  await page.locator('[data-mode="hot-seat"]').focus();
+  await page.keyboard.press('Enter');
+  await page.locator('#match-players input').nth(0).focus();
+  await page.keyboard.type('Anna');
+  await session.rebuild(() => page.keyboard.press('Enter'));
+  await phase(session, 'choosing', 1);
+
+  const takeByKeys = async (body: number) => {
+    await page.keyboard.press('Enter');
+    await lead(page, body, direction => page.keyboard.press(`Arrow${direction}`));
+    await page.keyboard.press('Enter');
+    await page.waitForFunction(() => window.teeter.hand !== null);
+    await page.keyboard.down('ArrowDown');
+  };
+  await takeByKeys(3);
+  await page.waitForFunction(() => window.teeter.hand?.grip === 'carry');
+  await page.keyboard.up('ArrowDown');
+  await page.waitForFunction(() => !(document.getElementById('place') as HTMLButtonElement).disabled);
+  await page.keyboard.press('Enter');
+  await phase(session, 'choosing', 2);
+  await page.keyboard.press('Escape');
+  await takeByKeys(4);
+  await page.waitForSelector('#end[open]');
+  await page.keyboard.up('ArrowDown');
+  expect(await page.textContent('#end-title')).toBe('Anna wins');
+  // The button of the next game has the focus.
+  await session.rebuild(() => page.keyboard.press('Enter'));
+  await phase(session, 'choosing', 1);
   expect(session.complaints).toEqual([]);
 });

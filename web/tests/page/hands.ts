@@ -1,6 +1,7 @@
 // Moves of a player with the mouse: blocks are drawn out by the end that faces the viewer, and put
 // on top.
 
+import type { Page } from 'playwright-core';
 import { drag, type Session } from './browser';
 
 interface End {
@@ -48,4 +49,25 @@ export async function phase(session: Session, name: string, number = 0): Promise
   const reached = ([name, number]: [string, number]) =>
     window.teeter.turn?.phase === name && window.teeter.turn.number >= number;
   await session.page.waitForFunction(reached, [name, number] as [string, number]);
+}
+
+/** Leads the choice to a block, by the direction in which it lies on the screen. */
+export async function lead(page: Page, body: number, go: (direction: string) => Promise<unknown>): Promise<void> {
+  const visits = new Map<number, number>();
+  for (let i = 0; i < 200; i++) {
+    const { selected, by } = await page.evaluate(target => {
+      const { teeter } = window;
+      const [a, b] = [teeter.screenOf(teeter.selected!), teeter.screenOf(target)];
+      return { selected: teeter.selected!, by: { x: b.x - a.x, y: b.y - a.y } };
+    }, body);
+    if (selected === body) return;
+    const [across, along] = [by.x > 0 ? 'Right' : 'Left', by.y > 0 ? 'Down' : 'Up'];
+    const [first, second] = Math.abs(by.x) > Math.abs(by.y) ? [across, along] : [along, across];
+    // Another direction where one has led here before.
+    const tries = [first, second, ...['Down', 'Left', 'Up', 'Right'].filter(d => d !== first && d !== second)];
+    const visit = visits.get(selected) ?? 0;
+    visits.set(selected, visit + 1);
+    await go(tries[visit % tries.length]);
+  }
+  throw new Error(`block ${body} was not reached`);
 }

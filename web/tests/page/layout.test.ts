@@ -47,9 +47,12 @@ test.each([
       if (carrying) document.getElementById('carrying')!.hidden = false;
       const shown = [
         ...document.querySelectorAll<HTMLElement>(
-          '#title, #legend, #scale, #xray, #readouts, #tools, #panel, #carrying',
+          '#title, #legend, #scale, #xray, #readouts, #tools, #panel, #carrying, #menu-open, #turn, #replay, #coach',
         ),
-      ].filter(e => e.offsetParent !== null || getComputedStyle(e).position === 'fixed');
+      ]
+        .filter(e => e.offsetParent !== null || getComputedStyle(e).position === 'fixed')
+        // What the card of the turn stands in for.
+        .filter(e => getComputedStyle(e).clipPath === 'none');
       const boxes = shown.filter(e => !e.hidden).map(e => ({ e, name: e.id, box: e.getBoundingClientRect() }));
       for (const { name, box } of boxes)
         if (box.left < 0 || box.top < 0 || box.right > innerWidth + 0.5 || box.bottom > innerHeight + 0.5)
@@ -83,6 +86,16 @@ test.each([
       return found;
     }, carrying);
   expect(await problems()).toEqual([]);
+  await page.click('#menu-open');
+  await page.click('[data-mode="hot-seat"]');
+  await page.click('#match-add');
+  expect(await problems(), 'in the menu').toEqual([]);
+  await session.rebuild(() => page.click('#match-start'));
+  await page.waitForSelector('#turn:not([hidden])');
+  expect(await problems(), 'in a game with turns').toEqual([]);
+  await page.click('#menu-open');
+  await page.click('[data-mode="free"]');
+  await session.rebuild(() => page.click('#match-start'));
   await page.click('#settings');
   expect(await problems()).toEqual([]);
   await page.selectOption('#form', 'lattice');

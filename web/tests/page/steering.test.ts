@@ -4,6 +4,7 @@
 import type { Page } from 'playwright-core';
 import { afterAll, beforeAll, expect, test } from 'vitest';
 import { displacements, host, Session, SMALL, type Host } from './browser';
+import { lead } from './hands';
 
 let chrome: Host;
 beforeAll(async () => {
@@ -27,27 +28,6 @@ function ends(page: Page): Promise<{ body: number; load: number }[]> {
     }
     return found.sort((a, b) => a.load - b.load);
   });
-}
-
-/** Leads the choice to a block, by the direction in which it lies on the screen. */
-async function lead(page: Page, body: number, go: (direction: string) => Promise<unknown>): Promise<void> {
-  const visits = new Map<number, number>();
-  for (let i = 0; i < 200; i++) {
-    const { selected, by } = await page.evaluate(target => {
-      const { teeter } = window;
-      const [a, b] = [teeter.screenOf(teeter.selected!), teeter.screenOf(target)];
-      return { selected: teeter.selected!, by: { x: b.x - a.x, y: b.y - a.y } };
-    }, body);
-    if (selected === body) return;
-    const [across, along] = [by.x > 0 ? 'Right' : 'Left', by.y > 0 ? 'Down' : 'Up'];
-    const [first, second] = Math.abs(by.x) > Math.abs(by.y) ? [across, along] : [along, across];
-    // Another direction where one has led here before.
-    const tries = [first, second, ...['Down', 'Left', 'Up', 'Right'].filter(d => d !== first && d !== second)];
-    const visit = visits.get(selected) ?? 0;
-    visits.set(selected, visit + 1);
-    await go(tries[visit % tries.length]);
-  }
-  throw new Error(`block ${body} was not reached`);
 }
 
 test('a block is chosen, taken out and placed on top with keys alone', async () => {
