@@ -100,7 +100,7 @@ test('a page that is loaded again in mid-game goes on with the same states', asy
 test('the computer thinks beside the page and moves in its turn, and the game goes on', async () => {
   await using session = await Session.open(chrome, `${LOW}&mode=opponent`);
   const { page } = session;
-  await takeOut(session, 4);
+  await takeOut(session, 3);
   await phase(session, 'choosing', 2);
   const turned = await page.evaluate(() => window.teeter.camera.azimuth);
   // While it is at its turn a press on a block turns the camera.
