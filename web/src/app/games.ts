@@ -185,6 +185,7 @@ export class Games {
     const { scene, rules, pull, turn } = this.opened.verified;
     const table = rules.table === 'free' || turn === null ? 'friendly' : rules.table;
     const goal = pull ?? undefined;
+    this.clearLink();
     this.play.beginsOn(scene, { ...matchOf('challenge', table, [person('')]), goal });
   }
 
