@@ -7,7 +7,7 @@ import { pick } from '../view/picking';
 
 /** Length over which a block is drawn out, m. */
 const PULL = 0.11;
-/** Blocks of the bottom and of the top of the tower that are left out. */
+/** Blocks left out at the bottom and at the top: two rows, or one of a low tower. */
 const OUTER = 6;
 
 export interface LooseBlock {
@@ -20,7 +20,8 @@ export interface LooseBlock {
 /** Returns the loosest block whose end faces the viewer; `forces` as of an X-ray. */
 export function looseBlock(stage: Stage, forces: Float32Array): LooseBlock | null {
   const bodies = stage.bodies!;
-  const inner = [...readings(forces, bodies).entries()].slice(OUTER, bodies.count - OUTER);
+  const outer = Math.min(OUTER, Math.floor(bodies.count / 4));
+  const inner = [...readings(forces, bodies).entries()].slice(outer, bodies.count - outer);
   const loosest = inner.filter(([, { pull }]) => pull !== null).sort((a, b) => a[1].pull! - b[1].pull!);
   for (const [body] of loosest) {
     const end = endOf(stage, body);

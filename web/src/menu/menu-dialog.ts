@@ -59,6 +59,7 @@ export class MenuDialog {
       create('div', { class: 'buttons small' }, openFile, this.save, this.share, this.resign),
     );
     this.dialog.addEventListener('close', () => store.set({ menuOpen: false }));
+    store.subscribe(['frame', 'match'], () => this.dialog.open && this.showActions());
     store.subscribe(['menuOpen'], ({ menuOpen }) => {
       if (menuOpen && !this.dialog.open) this.show();
     });
@@ -79,13 +80,19 @@ export class MenuDialog {
   }
 
   private show(): void {
-    const { match, settings, frame } = this.store.state;
-    const turn = frame?.update.turn;
-    this.resign.hidden = !turn || turn.phase === 'over' || match.mode === 'replay';
-    this.save.hidden = this.share.hidden = match.mode === 'replay';
+    const { match, settings } = this.store.state;
+    this.showActions();
     this.choose(this.entries.some(({ id }) => id === match.mode) ? match.mode : this.entries[0].id);
     this.form.show(match, settings.rows);
     this.dialog.showModal();
+  }
+
+  /** Shows what can be done with the game now, which goes on behind the menu. */
+  private showActions(): void {
+    const { match, frame } = this.store.state;
+    const turn = frame?.update.turn;
+    this.resign.hidden = !turn || turn.phase === 'over' || match.mode === 'replay';
+    this.save.hidden = this.share.hidden = match.mode === 'replay';
   }
 
   private button(id: string, label: string, action: () => void): HTMLButtonElement {

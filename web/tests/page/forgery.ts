@@ -7,7 +7,7 @@ import { load } from '../engine.mjs';
 /** Bytes of the mark and the version, of the length, and of the checksum. */
 const HEADER = { mark: 14, length: 4, checksum: 8 };
 
-/** Byte of the content from which it is changed, past the names of the engine and of the scene. */
+/** Byte of the content from which it is changed: past the names of the engine and the scene. */
 const FIRST = 120;
 const DIGITS = { first: 0x30, last: 0x39 };
 
