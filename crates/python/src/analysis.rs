@@ -2,7 +2,7 @@
 
 use pyo3::prelude::*;
 use serde::Serialize;
-use teeter_game::{Proportion, Rules, Survey, TrialErrors};
+use teeter_game::{FallChance, Rules, Survey, TrialErrors};
 use teeter_physics::{BodyId, Params};
 
 use crate::argument::{seed, within};
@@ -30,25 +30,10 @@ pub fn force_map<'py>(scene: &Bound<'py, PyAny>) -> PyResult<Bound<'py, PyAny>> 
 }
 
 #[derive(Serialize)]
-struct Chance {
-    chance_of_fall: f64,
-    low: f64,
-    high: f64,
-    rollouts: u32,
-}
-
-impl From<Proportion> for Chance {
-    fn from(falls: Proportion) -> Self {
-        let [low, high] = falls.interval();
-        Self { chance_of_fall: falls.share(), low, high, rollouts: falls.tries }
-    }
-}
-
-#[derive(Serialize)]
 struct Block {
     body: BodyId,
     #[serde(flatten)]
-    chance: Chance,
+    chance: FallChance,
     chance_stuck: f64,
     #[serde(rename = "force_N")]
     force_n: Option<f64>,
@@ -66,7 +51,7 @@ struct Move {
     body: BodyId,
     time_s: f64,
     #[serde(flatten)]
-    chance: Chance,
+    chance: FallChance,
     safest_body: Option<BodyId>,
     safest_chance: Option<f64>,
     blunder: bool,

@@ -2,12 +2,11 @@
 
 use serde::Serialize;
 use teeter_game::{
-    BlockAnalysis, BreakdownRun, FallAnalysis, MoveAnalysis, Record, Replay, Rules, Side, StickingContact, Survey,
-    Table, TrialErrors, load_world,
+    BlockAnalysis, BreakdownRun, FallAnalysis, FallChance, MoveAnalysis, Record, Replay, Rules, Side, StickingContact,
+    Survey, Table, TrialErrors, load_world,
 };
 use wasm_bindgen::prelude::*;
 
-use crate::chance::Chance;
 use crate::{Error, text};
 
 /// Analysis of a tower at rest: the chance that taking each block fells it.
@@ -55,7 +54,7 @@ fn survey(rules: Rules, seed: u32, budget: f64) -> Survey {
 struct Block {
     body: u32,
     #[serde(flatten)]
-    chance: Chance,
+    chance: FallChance,
     #[serde(rename = "force_N")]
     force_n: Option<f64>,
     held_by: Vec<u32>,
@@ -153,7 +152,7 @@ struct Move {
     body: u32,
     at_s: f64,
     #[serde(flatten)]
-    chance: Chance,
+    chance: FallChance,
     safest: Option<Safest>,
     blunder: bool,
     fell: bool,
@@ -164,7 +163,7 @@ struct Move {
 struct Safest {
     body: u32,
     #[serde(flatten)]
-    chance: Chance,
+    chance: FallChance,
 }
 
 impl Move {

@@ -1,7 +1,6 @@
 #![doc = include_str!("../README.md")]
 
 mod analysis;
-mod chance;
 mod game;
 mod opponent;
 mod replay;

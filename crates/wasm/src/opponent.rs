@@ -2,11 +2,10 @@
 
 use glam::DVec3;
 use serde::{Deserialize, Serialize};
-use teeter_game::{Considered, MovePlan, Question, Strength, Thinking, load_world};
+use teeter_game::{Considered, FallChance, MovePlan, Question, Strength, Thinking, load_world};
 use teeter_physics::BodyId;
 use wasm_bindgen::prelude::*;
 
-use crate::chance::Chance;
 use crate::{Error, Game, text};
 
 /// Most simulated time for which an opponent may think about a move, s.
@@ -115,7 +114,7 @@ struct Move {
     body: u32,
     toward: [f64; 3],
     #[serde(flatten)]
-    chance: Chance,
+    chance: FallChance,
     chance_stuck: f64,
     freedom: f64,
     cost: f64,

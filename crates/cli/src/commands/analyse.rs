@@ -7,7 +7,7 @@ use std::path::PathBuf;
 use clap::Args;
 use serde::Serialize;
 use teeter_game::{
-    BlockAnalysis, Breakdown, MoveAnalysis, Proportion, Record, Rules, Side, StickingContact, Survey, Table,
+    BlockAnalysis, Breakdown, FallChance, MoveAnalysis, Record, Rules, Side, StickingContact, Survey, Table,
     TrialErrors, analyse_tower, breakdown, engine_id,
 };
 use teeter_physics::{BodyId, Params, World};
@@ -41,28 +41,12 @@ pub struct Analyse {
     json: bool,
 }
 
-/// Result of rollouts: the share that fell, and the ends of its interval of 95 %.
-#[derive(Debug, Serialize)]
-struct Chance {
-    chance_of_fall: f64,
-    low: f64,
-    high: f64,
-    rollouts: u32,
-}
-
-impl From<Proportion> for Chance {
-    fn from(falls: Proportion) -> Self {
-        let [low, high] = falls.interval();
-        Self { chance_of_fall: falls.share(), low, high, rollouts: falls.tries }
-    }
-}
-
 /// A block of the tower.
 #[derive(Debug, Serialize)]
 struct Block {
     id: u32,
     #[serde(flatten)]
-    chance: Chance,
+    chance: FallChance,
     #[serde(rename = "force_N")]
     force_n: Option<f64>,
     held_by: Vec<u32>,
@@ -93,7 +77,7 @@ struct Move {
     block: u32,
     at_s: f64,
     #[serde(flatten)]
-    chance: Chance,
+    chance: FallChance,
     safest_block: Option<u32>,
     safest_chance: Option<f64>,
     blunder: bool,

@@ -57,6 +57,26 @@ impl Proportion {
     }
 }
 
+/// Chance of a fall by rollouts, as analyses write it.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+pub struct FallChance {
+    /// Share of the rollouts in which a block fell.
+    pub chance_of_fall: f64,
+    /// Lower end of the interval of 95 %.
+    pub low: f64,
+    /// Upper end of the interval of 95 %.
+    pub high: f64,
+    /// Number of rollouts.
+    pub rollouts: u32,
+}
+
+impl From<Proportion> for FallChance {
+    fn from(falls: Proportion) -> Self {
+        let [low, high] = falls.interval();
+        Self { chance_of_fall: falls.share(), low, high, rollouts: falls.tries }
+    }
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;

@@ -103,9 +103,11 @@ impl Opponent {
     }
 
     /// Question that it has to answer before its next command; none where it has nothing to choose.
-    /// A caller with other work may answer it elsewhere, with a [`Thought`] on a copy of the world,
-    /// and hand over the answer by [`Opponent::answer`]; the game can go on meanwhile with
-    /// [`Command::Idle`]. It is the same question until it is answered or the turn ends.
+    ///
+    /// A caller with other work may answer it elsewhere, with a [`Thought`](crate::Thought) on a
+    /// copy of the world, and hand over the answer by [`Opponent::answer`]; the game can go on
+    /// meanwhile with [`Command::Idle`]. It is the same question until it is answered or the turn
+    /// ends.
     pub fn question(&mut self, game: &Game) -> Option<&Question> {
         let turn = self.advance(game)?;
         let has_to_choose = self.hand.is_none() && self.answer.is_none();

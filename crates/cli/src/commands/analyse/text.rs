@@ -1,8 +1,8 @@
 //! Report of `teeter analyse` for people.
 
-use teeter_game::Side;
+use teeter_game::{FallChance, Side};
 
-use super::{Block, Chance, Fall, GameReport, Report, Sticks};
+use super::{Block, Fall, GameReport, Report, Sticks};
 use crate::error::Error;
 use crate::output;
 
@@ -26,7 +26,7 @@ impl Block {
         let holders = self.sticks_by.iter().filter(|contact| contact.side != Side::Below);
         let held_by: Vec<String> = holders.map(Sticks::text).collect();
         let held_by = if held_by.is_empty() { "-".to_owned() } else { held_by.join(", ") };
-        let (id, chance, stuck) = (self.id, &self.chance, 100.0 * self.chance_stuck);
+        let (id, chance, stuck) = (self.id, percents(&self.chance), 100.0 * self.chance_stuck);
         format!("{id:>5}  {chance}  {force:>7}  {stuck:>3.0} %  {held_by}")
     }
 }
@@ -39,11 +39,9 @@ impl Sticks {
     }
 }
 
-impl std::fmt::Display for Chance {
-    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-        let Self { chance_of_fall, low, high, .. } = self;
-        write!(f, "{:>3.0} % ({:>3.0} % to {:>3.0} %)", 100.0 * chance_of_fall, 100.0 * low, 100.0 * high)
-    }
+/// Chance of a fall and the ends of its interval, as a text of fixed width.
+fn percents(FallChance { chance_of_fall, low, high, .. }: &FallChance) -> String {
+    format!("{:>3.0} % ({:>3.0} % to {:>3.0} %)", 100.0 * chance_of_fall, 100.0 * low, 100.0 * high)
 }
 
 impl GameReport {
@@ -65,7 +63,7 @@ impl GameReport {
                 played.player + 1,
                 played.at_s,
                 played.block,
-                played.chance,
+                percents(&played.chance),
                 marks.join(", ")
             );
             output::line(line.trim_end())?;
