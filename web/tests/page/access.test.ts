@@ -35,7 +35,7 @@ async function findings(page: Page): Promise<string[]> {
 }
 
 test.each(['light', 'dark'] as const)('axe-core finds nothing on the page by %s', async colorScheme => {
-  await using session = await Session.open(chrome, 'help=0&quality=low&scale=0.2&form=lattice&rows=4&render=once', {
+  await using session = await Session.open(chrome, 'quality=low&scale=0.2&form=lattice&rows=4&render=once', {
     colorScheme,
   });
   const { page } = session;
