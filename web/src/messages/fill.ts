@@ -1,5 +1,6 @@
 // Fills the texts of a page into its document, which names them by their keys: `data-text` for the
-// content of an element, `data-label` and `data-tip` for its name and its tooltip.
+// content of an element, `data-label` and `data-tip` for its name and its tooltip, and `data-title`
+// of the root for the title of the page.
 
 import { language, text } from '.';
 import type { Messages } from './en';
@@ -11,7 +12,9 @@ const MARKS = { '**': 'b', '*': 'cite', '`': 'code' } as const;
 
 /** Fills all texts of the document, and names its language. */
 export function fillDocument(): void {
-  document.documentElement.lang = language;
+  const root = document.documentElement;
+  root.lang = language;
+  document.title = textOf(root.dataset.title!);
   fill(document);
   for (const template of document.querySelectorAll('template')) fill(template.content);
 }

@@ -40,7 +40,7 @@ describe.each(Object.entries(LANGUAGES))('the language %s', (language, messages)
 
 test.each(PAGES)('%s names only texts that there are, and holds none itself', page => {
   const html = readFileSync(path(page), 'utf8');
-  const keys = [...html.matchAll(/data-(?:text|label|tip|content)="([^"]*)"/g)].map(([, key]) => key);
+  const keys = [...html.matchAll(/data-(?:text|label|tip|content|title)="([^"]*)"/g)].map(([, key]) => key);
   expect(keys.length).toBeGreaterThan(50);
   for (const key of keys) for (const messages of Object.values(LANGUAGES)) textOf(key, messages);
   const body = html.slice(html.indexOf('<body>')).replace(/<noscript[^]*?<\/noscript\s*>/g, '');
