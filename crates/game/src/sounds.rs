@@ -175,10 +175,7 @@ impl Frame<'_> {
 
     /// Velocity of a body at a contact relative to the other, m/s.
     fn relative(&self, twists: &[Twist], body: BodyId, contact: &ContactReport) -> DVec3 {
-        let at = |b: BodyId| {
-            let Twist { velocity, spin } = twists[b.index()];
-            velocity + spin.cross(contact.point - self.world.pose(b).position)
-        };
+        let at = |b: BodyId| twists[b.index()].velocity_at(contact.point - self.world.pose(b).position);
         at(body) - contact.other.map_or(DVec3::ZERO, at)
     }
 

@@ -2,9 +2,10 @@
 
 use serde::Serialize;
 use teeter_game::{
-    BlockAnalysis, BreakdownRun, FallAnalysis, FallChance, MoveAnalysis, Record, Replay, Rules, Side, StickingContact,
-    Survey, Table, TrialErrors, load_world,
+    BlockAnalysis, BreakdownRun, FallAnalysis, FallChance, LostContact, MoveAnalysis, Record, Replay, Rules,
+    StickingContact, Survey, Table, TrialErrors, load_world,
 };
+use teeter_physics::BodyId;
 use wasm_bindgen::prelude::*;
 
 use crate::{Error, text};
@@ -52,43 +53,25 @@ fn survey(rules: Rules, seed: u32, budget: f64) -> Survey {
 
 #[derive(Serialize)]
 struct Block {
-    body: u32,
+    body: BodyId,
     #[serde(flatten)]
     chance: FallChance,
     #[serde(rename = "force_N")]
     force_n: Option<f64>,
-    held_by: Vec<u32>,
-    sticks_by: Vec<Sticks>,
+    held_by: Vec<BodyId>,
+    sticks_by: Vec<StickingContact>,
     chance_stuck: f64,
     falls_by_statics: Option<bool>,
-}
-
-/// Contact that holds a block by friction.
-#[derive(Serialize)]
-struct Sticks {
-    body: Option<u32>,
-    side: Side,
-    #[serde(rename = "load_N")]
-    load_n: f64,
-    #[serde(rename = "friction_N")]
-    friction_n: f64,
-}
-
-impl Sticks {
-    fn new(contact: &StickingContact) -> Self {
-        let StickingContact { other, side, load_n, friction_n } = *contact;
-        Self { body: other.map(|body| body.0), side, load_n, friction_n }
-    }
 }
 
 impl Block {
     fn new(block: &BlockAnalysis) -> Self {
         Self {
-            body: block.candidate.body.0,
+            body: block.candidate.body,
             chance: block.tally.falls.into(),
             force_n: block.force_n,
-            held_by: block.held_by.iter().map(|body| body.0).collect(),
-            sticks_by: block.sticking.iter().map(Sticks::new).collect(),
+            held_by: block.held_by.clone(),
+            sticks_by: block.sticking.clone(),
             chance_stuck: block.tally.stuck.share(),
             falls_by_statics: block.candidate.falls,
         }
@@ -126,9 +109,8 @@ impl RecordAnalysis {
     /// record.
     pub fn report(&self) -> Result<String, Error> {
         let breakdown = self.0.clone().finish();
-        let riskiest = breakdown.riskiest();
         let report = Report {
-            riskiest: riskiest.and_then(|riskiest| breakdown.moves.iter().position(|played| played == riskiest)),
+            riskiest: breakdown.riskiest(),
             moves: breakdown.moves.iter().map(Move::new).collect(),
             fall: breakdown.fall.as_ref().map(Fall::new),
             diverged: breakdown.diverged,
@@ -149,7 +131,7 @@ struct Report {
 struct Move {
     turn: u32,
     player: u32,
-    body: u32,
+    body: BodyId,
     at_s: f64,
     #[serde(flatten)]
     chance: FallChance,
@@ -161,7 +143,7 @@ struct Move {
 /// Safest of the other moves that were tried.
 #[derive(Serialize)]
 struct Safest {
-    body: u32,
+    body: BodyId,
     #[serde(flatten)]
     chance: FallChance,
 }
@@ -171,10 +153,10 @@ impl Move {
         Self {
             turn: played.turn,
             player: played.player,
-            body: played.body.0,
+            body: played.body,
             at_s: played.time_s,
             chance: played.falls.into(),
-            safest: played.safest.map(|(body, falls)| Safest { body: body.0, chance: falls.into() }),
+            safest: played.safest.map(|(body, falls)| Safest { body, chance: falls.into() }),
             blunder: played.is_blunder(),
             fell: played.fell,
         }
@@ -184,33 +166,13 @@ impl Move {
 #[derive(Serialize)]
 struct Fall {
     at_s: f64,
-    bodies: Vec<u32>,
-    taken: u32,
-    first_lost: Option<Lost>,
-}
-
-/// Loaded contact that was lost first.
-#[derive(Serialize)]
-struct Lost {
-    above: u32,
-    below: Option<u32>,
-    #[serde(rename = "load_N")]
-    load_n: f64,
-    at_s: f64,
+    bodies: Vec<BodyId>,
+    taken: BodyId,
+    first_lost: Option<LostContact>,
 }
 
 impl Fall {
     fn new(fall: &FallAnalysis) -> Self {
-        Self {
-            at_s: fall.time_s,
-            bodies: fall.bodies.iter().map(|body| body.0).collect(),
-            taken: fall.taken.0,
-            first_lost: fall.first_lost.map(|lost| Lost {
-                above: lost.above.0,
-                below: lost.below.map(|body| body.0),
-                load_n: lost.load_n,
-                at_s: lost.time_s,
-            }),
-        }
+        Self { at_s: fall.time_s, bodies: fall.bodies.clone(), taken: fall.taken, first_lost: fall.first_lost }
     }
 }

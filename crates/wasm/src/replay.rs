@@ -1,6 +1,5 @@
 //! Binding of a replay: a record played again, or its keyframes where its engine is missing.
 
-use serde::Serialize;
 use teeter_game::{Record, ReplayState, engine_id};
 use wasm_bindgen::prelude::*;
 
@@ -102,16 +101,7 @@ impl Replay {
     /// "time_s"} | null}`, with the frame counted from 1 and the block that is visibly elsewhere
     /// at the next keyframe; undefined while it is the same.
     pub fn divergence(&self) -> Result<Option<String>, Error> {
-        let divergence = self.replay.divergence().map(|divergence| Divergence {
-            frame: divergence.frame,
-            time_s: divergence.time_s,
-            block: divergence.block.map(|block| Displaced {
-                body: block.body.0,
-                distance: block.distance,
-                time_s: block.time_s,
-            }),
-        });
-        divergence.map(|divergence| text::write("divergence", &divergence)).transpose()
+        self.replay.divergence().map(|divergence| text::write("divergence", &divergence)).transpose()
     }
 
     /// Scene at the start, as JSON.
@@ -184,20 +174,6 @@ impl Replay {
             self.kept.push(state);
         }
     }
-}
-
-#[derive(Serialize)]
-struct Divergence {
-    frame: u32,
-    time_s: f64,
-    block: Option<Displaced>,
-}
-
-#[derive(Serialize)]
-struct Displaced {
-    body: u32,
-    distance: f64,
-    time_s: f64,
 }
 
 /// Poses of a record each second, rounded. They need no engine.

@@ -73,21 +73,22 @@ class SoloEnv(gymnasium.Env[Observation, np.int64]):
         scene = (options or {}).get("scene") or draw_scene(self.np_random, self.rows, self.domain)
         self._game = Game(scene, "solo", 1)
         self._game.settle()
-        return self._observation(), self._info()
+        mask = self._mask()
+        return self._observation(mask), self._info(mask)
 
     def step(self, action: np.int64) -> tuple[Observation, float, bool, bool, dict[str, Any]]:
         """Carries out a move."""
-        mask = legal_moves(self.game, 3 * self.rows)
+        mask = self._mask()
         seed = int(self.np_random.integers(2**63))
         if not mask[int(action)]:
-            return self._observation(), -1.0, False, False, self._info() | {"illegal": True}
+            return self._observation(mask), -1.0, False, False, self._info(mask) | {"illegal": True}
         before = self._score()
         result = carry_out(self.game, int(action), seed, self.noise)
         reward = float(self._score() - before) - (0.1 if result["end"] == "stuck" else 0.0)
-        info = self._info()
-        terminated = bool(result["fell"]) or not info["action_mask"].any()
+        mask = self._mask()
+        terminated = bool(result["fell"]) or not mask.any()
         result.pop("events")
-        return self._observation(), reward, terminated, False, info | {"move": result}
+        return self._observation(mask), reward, terminated, False, self._info(mask) | {"move": result}
 
     def render(self) -> NDArray[np.uint8]:
         """Picture of the tower, uint8 of shape (480, 640, 3)."""
@@ -97,8 +98,12 @@ class SoloEnv(gymnasium.Env[Observation, np.int64]):
         turn = self.game.turn
         return int(turn["scores"][0]) if turn else 0
 
-    def _info(self) -> dict[str, Any]:
-        return {"action_mask": legal_moves(self.game, 3 * self.rows), "score": self._score()}
+    def _mask(self) -> NDArray[np.int8]:
+        return legal_moves(self.game, 3 * self.rows)
 
-    def _observation(self) -> Observation:
-        return {**observed(self.game, self.parts), "action_mask": legal_moves(self.game, 3 * self.rows)}
+    def _info(self, mask: NDArray[np.int8]) -> dict[str, Any]:
+        return {"action_mask": mask, "score": self._score()}
+
+    def _observation(self, mask: NDArray[np.int8]) -> Observation:
+        # A returned array is no other one: whoever changes it changes nothing else.
+        return {**observed(self.game, self.parts), "action_mask": mask.copy()}

@@ -1,20 +1,14 @@
 // Tower of the day: the same tower for everyone, to the bit, and your best game on it as a ghost.
 
 import type { Settings } from '../app/state';
-import { games } from '../messages';
 import { matchOf, person } from './match';
 import type { Mode } from './mode';
-import { turnEvent, turnStatus } from './turns';
+import { pointsMode } from './turns';
 
 export const daily: Mode = {
+  ...pointsMode,
   id: 'daily',
   match: () => matchOf('daily', 'solo', [person('')]),
-  rules: () => ({ canTurn: true }),
-  overlay: (update, blocks, match) => ({ status: turnStatus(update, blocks, match) }),
-  onEvent(event, ui, match) {
-    if (event.event === 'scored') ui.notice(games.scored(event.points));
-    turnEvent(event, ui, match);
-  },
 };
 
 /** Day of a time in UTC, such as 2026-03-09. */

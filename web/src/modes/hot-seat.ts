@@ -2,12 +2,10 @@
 
 import { matchOf, person } from './match';
 import type { Mode } from './mode';
-import { turnEvent, turnStatus } from './turns';
+import { turnMode } from './turns';
 
 export const hotSeat: Mode = {
+  ...turnMode,
   id: 'hot-seat',
   match: () => matchOf('hot-seat', 'official', [person(''), person('')]),
-  rules: () => ({ canTurn: true }),
-  overlay: (update, blocks, match) => ({ status: turnStatus(update, blocks, match) }),
-  onEvent: turnEvent,
 };

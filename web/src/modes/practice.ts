@@ -2,13 +2,11 @@
 
 import { matchOf, person } from './match';
 import type { Mode } from './mode';
-import { turnEvent, turnStatus } from './turns';
+import { turnMode } from './turns';
 
 export const practice: Mode = {
+  ...turnMode,
   id: 'practice',
   undo: true,
   match: () => matchOf('practice', 'official', [person('')]),
-  rules: () => ({ canTurn: true }),
-  overlay: (update, blocks, match) => ({ status: turnStatus(update, blocks, match) }),
-  onEvent: turnEvent,
 };

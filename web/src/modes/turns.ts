@@ -3,14 +3,14 @@
 import type { GameEvent, TurnState, Update } from '../engine/game-protocol';
 import { games } from '../messages';
 import { nameOf, type Match } from './match';
-import type { ModeUi } from './mode';
+import type { Mode, ModeUi } from './mode';
 
 /** Status of a game with turns. */
 export function turnStatus(update: Update, blocks: number, match: Match): string {
   const { turn } = update;
   if (!turn) return games.blocks(blocks);
   if (turn.phase === 'over') return outcomeLine(turn, match);
-  return games.status(turn.number, rowsOf(update, blocks));
+  return games.status(turn.number, blocks - update.fallen.length);
 }
 
 /** Line about the end of a game. */
@@ -19,11 +19,6 @@ export function outcomeLine({ outcome }: TurnState, match: Match): string {
   const { winner, loser } = outcome;
   if (winner !== null) return games.wins(nameOf(match, winner));
   return match.players.length > 1 && loser !== null ? games.loses(nameOf(match, loser)) : games.over;
-}
-
-/** Number of blocks that still stand. */
-function rowsOf({ fallen }: Update, blocks: number): number {
-  return blocks - fallen.length;
 }
 
 /** Says what a player has to know of an event. */
@@ -50,3 +45,19 @@ export function turnEvent(event: GameEvent, ui: ModeUi, match: Match): void {
       break;
   }
 }
+
+/** Parts that most modes with turns share. */
+export const turnMode: Pick<Mode, 'rules' | 'overlay' | 'onEvent'> = {
+  rules: () => ({ canTurn: true }),
+  overlay: (update, blocks, match) => ({ status: turnStatus(update, blocks, match) }),
+  onEvent: turnEvent,
+};
+
+/** Parts that modes for points share. */
+export const pointsMode: typeof turnMode = {
+  ...turnMode,
+  onEvent(event, ui, match) {
+    if (event.event === 'scored') ui.notice(games.scored(event.points));
+    turnEvent(event, ui, match);
+  },
+};

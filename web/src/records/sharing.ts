@@ -31,8 +31,7 @@ export class Sharing {
     const move = await this.play.client.ask({ what: 'move' });
     if (!move || move.commands.length === 0) return this.notice.show(records.nothingToShare);
     const cut = await this.play.pool.run({ kind: 'cut', move, seconds: SECONDS }).result;
-    const isSame = cut.fell === move.fell && (cut.fell || cut.placed === move.placed);
-    if (!isSame) return this.notice.show(records.differs, LONG);
+    if (!cut.same) return this.notice.show(records.differs, LONG);
     const link = linkOf(cut.bytes, location.href);
     if (link.length > MAX_LINK) {
       this.notice.show(records.tooLong((cut.bytes.length / 1000).toFixed(1)), LONG);

@@ -86,8 +86,8 @@ export interface Verified {
 /** A record of one move, on the tower as it stood before. */
 export interface OneMove {
   bytes: Uint8Array;
-  fell: boolean;
-  placed: boolean;
+  /** True if it ends as what was played. */
+  same: boolean;
 }
 
 export type Result<J extends Job> = J extends { kind: 'think' }

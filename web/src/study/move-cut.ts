@@ -78,9 +78,7 @@ export class MoveCut {
   /** Plays a frame; returns the part that is done. The coarsest commands of the same end count. */
   step(): number {
     const part = this.attempt.step();
-    const { fell, placed } = this.attempt;
-    const isSame = fell === this.move.fell && (fell || placed === this.move.placed);
-    if (part < 1 || isSame || this.tried === STRIDES.length - 1) return part;
+    if (part < 1 || this.isSame || this.tried === STRIDES.length - 1) return part;
     this.attempt.free();
     this.tried += 1;
     this.attempt = this.begin();
@@ -88,12 +86,16 @@ export class MoveCut {
   }
 
   result(): OneMove {
-    const { bytes, fell, placed } = this.attempt;
-    return { bytes, fell, placed };
+    return { bytes: this.attempt.bytes, same: this.isSame };
   }
 
   free(): void {
     this.attempt.free();
+  }
+
+  private get isSame(): boolean {
+    const { fell, placed } = this.attempt;
+    return fell === this.move.fell && (fell || placed === this.move.placed);
   }
 
   private begin(): Attempt {

@@ -61,7 +61,10 @@ function record(task: RecordAnalysis): Task {
   return {
     step: () => task.step(),
     // A plot needs at least one trial of each move.
-    isUsable: () => report().moves.length > 0 && report().moves.every(({ rollouts }) => rollouts > 0),
+    isUsable: () => {
+      const { moves } = report();
+      return moves.length > 0 && moves.every(({ rollouts }) => rollouts > 0);
+    },
     result: report,
     free: () => task.free(),
   };

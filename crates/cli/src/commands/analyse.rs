@@ -217,7 +217,6 @@ impl Move {
 impl GameReport {
     fn new(scene: &Scene, breakdown: &Breakdown) -> Self {
         let moves: Vec<Move> = breakdown.moves.iter().map(|played| Move::new(scene, played)).collect();
-        let riskiest = breakdown.riskiest();
         let fall = breakdown.fall.as_ref().map(|fall| Fall {
             at_s: fall.time_s,
             blocks: fall.bodies.iter().map(|body| id(scene, *body)).collect(),
@@ -230,7 +229,7 @@ impl GameReport {
             }),
         });
         Self {
-            riskiest: riskiest.and_then(|riskiest| breakdown.moves.iter().position(|played| played == riskiest)),
+            riskiest: breakdown.riskiest(),
             blunders: (0..moves.len()).filter(|index| moves[*index].blunder).collect(),
             moves,
             fall,

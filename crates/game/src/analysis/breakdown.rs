@@ -60,9 +60,10 @@ pub struct Breakdown {
 }
 
 impl Breakdown {
-    /// The move with the largest chance of a fall, the first of them.
-    pub fn riskiest(&self) -> Option<&MoveAnalysis> {
-        self.moves.iter().reduce(|a, b| if b.falls.share() > a.falls.share() { b } else { a })
+    /// Index of the move with the largest chance of a fall, the first of them.
+    pub fn riskiest(&self) -> Option<usize> {
+        let chance = |index: usize| self.moves[index].falls.share();
+        (0..self.moves.len()).reduce(|a, b| if chance(b) > chance(a) { b } else { a })
     }
 }
 

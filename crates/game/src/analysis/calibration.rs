@@ -8,7 +8,7 @@ use crate::analysis::candidate::Candidate;
 use crate::analysis::estimate::EstimateErrors;
 use crate::analysis::proportion::Proportion;
 use crate::analysis::rollout::TrialErrors;
-use crate::analysis::survey::{Survey, SurveyRun};
+use crate::analysis::survey::Survey;
 use crate::game::Game;
 use crate::player::noise::HandNoise;
 use crate::player::stage::MovePlan;
@@ -71,15 +71,12 @@ impl HeldOutMove {
         let candidate = drawn(&game, &mut random);
         let errors = TrialErrors { estimate: EstimateErrors::default(), hand: HandNoise::default() };
         let survey = Survey { rules, errors, budget, seed: random.bits() };
-        let mut run = SurveyRun::new(survey, game.world().clone(), vec![candidate.plan()]);
-        while !run.is_done() {
-            run.step()?;
-        }
+        let tally = survey.run(game.world(), &[candidate.plan()], || ())?[0];
         let (_, fell) = played(game, candidate.plan(), random.bits());
         Ok(Self {
             before: taken,
             body: candidate.body,
-            falls: run.tallies()[0].falls,
+            falls: tally.falls,
             tightness_n: candidate.tightness_n,
             falls_by_statics: candidate.falls,
             fell,

@@ -2,6 +2,7 @@
 
 use std::collections::BTreeMap;
 
+use serde::Serialize;
 use teeter_physics::{BodyId, World};
 
 /// Vertical component of the normal from which a contact bears weight.
@@ -26,15 +27,17 @@ struct Pair {
 /// let lost = LostContact { above: BodyId(4), below: None, load_n: 0.4, time_s: 3.5 };
 /// assert!(lost.below.is_none());
 /// ```
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 pub struct LostContact {
     /// Upper block.
     pub above: BodyId,
     /// Its bearer; none for the floor.
     pub below: Option<BodyId>,
     /// Load at the start of the move, N.
+    #[serde(rename = "load_N")]
     pub load_n: f64,
     /// Time from which it bore nothing until the fall, s.
+    #[serde(rename = "at_s")]
     pub time_s: f64,
 }
 

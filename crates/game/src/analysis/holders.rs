@@ -39,15 +39,18 @@ pub enum Side {
 /// assert!((above.friction_n / (scene.friction * above.load_n) - 1.0).abs() < 1e-9);
 /// # Ok::<(), teeter_physics::BuildError>(())
 /// ```
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 pub struct StickingContact {
     /// Other block; none for the floor.
+    #[serde(rename = "body")]
     pub other: Option<BodyId>,
     /// Side on which it is.
     pub side: Side,
     /// Normal force, N.
+    #[serde(rename = "load_N")]
     pub load_n: f64,
     /// Largest friction, N: coefficient of static friction times normal force.
+    #[serde(rename = "friction_N")]
     pub friction_n: f64,
 }
 

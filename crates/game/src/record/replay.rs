@@ -2,6 +2,7 @@
 
 use std::borrow::Cow;
 
+use serde::Serialize;
 use teeter_physics::{BodyId, POSE_STRIDE, StepReport};
 
 use crate::game::Game;
@@ -246,7 +247,7 @@ impl ReplayState {
 /// assert_eq!(divergence.frame, 1);
 /// # Ok::<(), teeter_game::RecordError>(())
 /// ```
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 pub struct Divergence {
     /// First frame whose check differs, from 1. Of sixteen divergences one is found a frame late.
     pub frame: u32,
@@ -266,7 +267,7 @@ pub struct Divergence {
 /// let block = Displaced { body: BodyId(4), distance: 0.002, time_s: 3.0 };
 /// assert_eq!(block.body, BodyId(4));
 /// ```
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 pub struct Displaced {
     /// The block.
     pub body: BodyId,

@@ -110,13 +110,12 @@ impl FrictionLevers {
             return SlipLevers { map: self.map, turn_squared: self.turn * self.turn, ..SlipLevers::default() };
         }
         let [xx, xy, yy] = self.moments;
-        let [u, v] = slip.velocity;
         let extent = 0.5 * (xx + yy);
         let threshold = STRIBECK_SPEED * STRIBECK_SPEED;
         let turning = extent * slip.spin * slip.spin;
         // Squared distance of the centre of rotation, (-v, u) / spin, in units of the patch.
         let determinant = xx * yy - xy * xy;
-        let past = (xx * u * u + 2.0 * xy * u * v + yy * v * v)
+        let past = self.moment_along(slip.velocity)
             / (determinant * slip.spin * slip.spin + extent * threshold).max(f64::MIN_POSITIVE);
         let half = SLIDING_RATIO.0 + self.row * (SLIDING_RATIO.1 - SLIDING_RATIO.0);
         let sliding = past * past / (half * half * half * half + past * past);
@@ -124,7 +123,7 @@ impl FrictionLevers {
         let map = [0, 1].map(|i| [0, 1].map(|j| mix(self.map[i][j], self.sliding_map[i][j])));
         SlipLevers {
             map,
-            turn_squared: mix(self.turn * self.turn, self.sliding_turn_squared([u, v])),
+            turn_squared: mix(self.turn * self.turn, self.sliding_turn_squared(slip.velocity)),
             slip: *slip,
             growth: (1.0 - self.row) * ARM_GROWTH * turning / (turning + threshold),
             reach: ARM_REACH * ARM_REACH * turning + threshold,
@@ -134,13 +133,18 @@ impl FrictionLevers {
     /// Square of the turning arm over that of the offset where the patch slides along `direction`
     /// (any length): what the second moment of a uniform pressure exceeds that of the levers by.
     fn sliding_turn_squared(&self, [u, v]: [f64; 2]) -> f64 {
-        let [xx, xy, yy] = self.moments;
-        let along = |[x, y]: [f64; 2]| xx * x * x + 2.0 * xy * x * y + yy * y * y;
+        let [xx, _, yy] = self.moments;
         let [[a, b], [c, d]] = self.sliding_map;
         // The second moment of levers along a direction is that of the corners along its transform.
-        let levers = along([a * u + c * v, b * u + d * v]);
+        let levers = self.moment_along([a * u + c * v, b * u + d * v]);
         let square = (u * u + v * v) * (xx + yy);
-        if square > 0.0 { ((PRESSURE_MOMENT * along([u, v]) - levers) / square).max(0.0) } else { 0.0 }
+        if square > 0.0 { ((PRESSURE_MOMENT * self.moment_along([u, v]) - levers) / square).max(0.0) } else { 0.0 }
+    }
+
+    /// Second moment of the corners along a direction, times the square of its length.
+    fn moment_along(&self, [x, y]: [f64; 2]) -> f64 {
+        let [xx, xy, yy] = self.moments;
+        xx * x * x + 2.0 * xy * x * y + yy * y * y
     }
 
     /// Sets the turning arms so that the levers resist a pure spin as the pressure does. `arms` are
