@@ -1,10 +1,14 @@
 import { defineConfig } from 'vitest/config';
+import { compressedFiles } from './compressed-files.ts';
 import { SERVICE_WORKER, serviceWorkerFiles } from './service-worker-files.ts';
 
 export default defineConfig({
   // Relative addresses: the page is served from any folder, by any server.
   base: './',
-  plugins: [serviceWorkerFiles(new URL('public', import.meta.url).pathname)],
+  plugins: [
+    serviceWorkerFiles(new URL('public', import.meta.url).pathname),
+    compressedFiles(new URL('dist', import.meta.url).pathname),
+  ],
   worker: { format: 'es' },
   build: {
     target: 'es2022',

@@ -14,15 +14,20 @@ use rust_embed::{EmbeddedFile, RustEmbed};
 #[folder = "../../web/dist"]
 struct Dist;
 
-/// Files by their paths. They are compressed once, not for each request.
+/// Files by their paths. They are compressed once, not for each request. Browsers take Brotli from
+/// this machine and over HTTPS, and gzip from others in the house.
 static FILES: LazyLock<BTreeMap<String, PageFile>> = LazyLock::new(|| {
     let file = |path: std::borrow::Cow<'static, str>| {
-        let found = Dist::get(&path).expect("the path is one of the list");
-        let file = PageFile::new(&path, found);
-        (path.into_owned(), file)
+        let found = Dist::get(&path)?;
+        let brotli = Dist::get(&format!("{path}{BROTLI}")).map(|file| Bytes::from(file.data.into_owned()));
+        let file = PageFile::new(&path, found, brotli);
+        Some((path.into_owned(), file))
     };
-    Dist::iter().map(file).collect()
+    Dist::iter().filter(|path| !path.ends_with(BROTLI)).filter_map(file).collect()
 });
+
+/// Ending of the files that the build of the page has compressed by Brotli, which takes seconds.
+const BROTLI: &str = ".br";
 
 /// Admits nothing from other hosts. Workers and WebAssembly are the page's own; three.js and the
 /// panel set styles on elements.
@@ -36,36 +41,39 @@ struct PageFile {
     /// Hash of the content.
     hash: String,
     plain: Bytes,
-    /// Content compressed by gzip, where that is smaller.
-    gzip: Option<Bytes>,
+    /// Names of encodings and the content in them, where that is smaller; the smallest first.
+    encodings: Vec<(&'static str, Bytes)>,
 }
 
 impl PageFile {
-    fn new(path: &str, file: EmbeddedFile) -> Self {
+    fn new(path: &str, file: EmbeddedFile, brotli: Option<Bytes>) -> Self {
         let hash = file.metadata.sha256_hash()[..16].iter().map(|byte| format!("{byte:02x}")).collect();
         let plain = Bytes::from(file.data.into_owned());
-        let gzip = compressed(&plain).filter(|gzip| gzip.len() < plain.len());
+        let encodings = [("br", brotli), ("gzip", gzip(&plain))].into_iter();
+        let encodings = encodings.filter_map(|(name, bytes)| Some((name, bytes?)));
+        let encodings = encodings.filter(|(_, bytes)| bytes.len() < plain.len()).collect();
         // Built files in this folder have a hash of their content in their names. Others are kept
         // and asked for again with the hash.
         let cache = if path.starts_with("assets/") { "public, max-age=31536000, immutable" } else { "no-cache" };
         let kind = HeaderValue::from_str(&content_type(file.metadata.mimetype()));
         let kind = kind.unwrap_or(HeaderValue::from_static("application/octet-stream"));
-        Self { kind, cache, hash, plain, gzip }
+        Self { kind, cache, hash, plain, encodings }
     }
 
     /// Response to a request with these headers: the file, or that the reader has it.
     fn response(&self, request: &HeaderMap) -> Response<Body> {
-        let (bytes, tag) = match &self.gzip {
-            Some(gzip) if accepts_gzip(request) => (gzip, format!("\"{}-gzip\"", self.hash)),
-            _ => (&self.plain, format!("\"{}\"", self.hash)),
+        let encoded = self.encodings.iter().find(|(name, _)| accepts(request, name));
+        let (bytes, tag) = match encoded {
+            Some((name, bytes)) => (bytes, format!("\"{}-{name}\"", self.hash)),
+            None => (&self.plain, format!("\"{}\"", self.hash)),
         };
         let is_known = has_tag(request, &tag);
         let mut response = Response::new(if is_known { Body::empty() } else { Body::from(bytes.clone()) });
         let headers = response.headers_mut();
         if !is_known {
             headers.insert(header::CONTENT_TYPE, self.kind.clone());
-            if tag.ends_with("-gzip\"") {
-                headers.insert(header::CONTENT_ENCODING, HeaderValue::from_static("gzip"));
+            if let Some((name, _)) = encoded {
+                headers.insert(header::CONTENT_ENCODING, HeaderValue::from_static(name));
             }
         }
         headers.insert(header::CACHE_CONTROL, HeaderValue::from_static(self.cache));
@@ -109,7 +117,7 @@ pub fn message(status: StatusCode, text: &'static str) -> Response<Body> {
     response
 }
 
-fn compressed(plain: &[u8]) -> Option<Bytes> {
+fn gzip(plain: &[u8]) -> Option<Bytes> {
     let mut packer = GzEncoder::new(Vec::new(), Compression::default());
     packer.write_all(plain).ok()?;
     packer.finish().ok().map(Bytes::from)
@@ -125,10 +133,11 @@ fn any_entry(request: &HeaderMap, name: header::HeaderName, test: impl Fn(&str, 
     })
 }
 
-fn accepts_gzip(request: &HeaderMap) -> bool {
+/// Returns true if a request takes content in an encoding.
+fn accepts(request: &HeaderMap, encoding: &str) -> bool {
     any_entry(request, header::ACCEPT_ENCODING, |name, parameters| {
         let quality = parameters.strip_prefix("q=").and_then(|q| q.trim().parse::<f64>().ok()).unwrap_or(1.0);
-        name.eq_ignore_ascii_case("gzip") && quality > 0.0
+        name.eq_ignore_ascii_case(encoding) && quality > 0.0
     })
 }
 
