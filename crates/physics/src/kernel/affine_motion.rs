@@ -50,17 +50,23 @@ impl<L: Lanes> RelativeMotion<L> for AffineMotion<L> {
     }
 
     #[inline(always)]
-    fn subtract_force(wrench: &mut AffineWrench<L>, force: &[L; 4], r: &[L; 2], q: &[L; 3]) {
-        wrench.f[0] -= force[0];
-        wrench.f[1] -= force[1];
-        wrench.f[2] -= force[2];
-        for (moment, (r, q)) in wrench.moments.iter_mut().zip(r.iter().zip(q)) {
-            moment[0] -= *r * force[0];
-            moment[1] -= *q * force[1];
-            moment[2] -= *q * force[2];
-        }
+    fn add_force<const FIRST: bool>(wrench: &mut AffineWrench<L>, force: &[L; 4], r: &[L; 2], q: &[L; 3]) {
         let turning = q[2] * force[3] * L::splat_f64(0.5);
-        wrench.moments[0][2] -= turning;
-        wrench.moments[1][1] += turning;
+        let moment = |k: usize| [r[k] * force[0], q[k] * force[1], q[k] * force[2]];
+        if FIRST {
+            *wrench = AffineWrench { f: [force[0], force[1], force[2]], moments: [moment(0), moment(1)] };
+        } else {
+            wrench.f[0] += force[0];
+            wrench.f[1] += force[1];
+            wrench.f[2] += force[2];
+            for (k, sum) in wrench.moments.iter_mut().enumerate() {
+                let moment = moment(k);
+                sum[0] += moment[0];
+                sum[1] += moment[1];
+                sum[2] += moment[2];
+            }
+        }
+        wrench.moments[0][2] += turning;
+        wrench.moments[1][1] -= turning;
     }
 }

@@ -38,7 +38,7 @@ pub trait BodyModel<R: Real>: Clone + std::fmt::Debug + Send + Sync {
         motion: &mut Self::Motion<L>,
     );
 
-    /// Adds the wrench of the contacts to the forces on B and subtracts it from those on A. The
+    /// Adds the wrench of the contacts to the forces on A and subtracts it from those on B. The
     /// wrench serves as scratch space.
     ///
     /// # Safety
@@ -83,7 +83,7 @@ pub trait BodyModel<R: Real>: Clone + std::fmt::Debug + Send + Sync {
 
 /// Relative motion of two bodies along normal, tangent, tangent of a contact.
 pub trait RelativeMotion<L: Lanes> {
-    /// Sum of the forces of points.
+    /// Sum of the forces of points on A.
     type Wrench;
 
     /// Zero motion.
@@ -99,8 +99,9 @@ pub trait RelativeMotion<L: Lanes> {
     /// third component is the arm of the turning about the normal.
     fn velocity_at(&self, arm: &[L; 2], friction_arm: &[L; 3]) -> [L; 4];
 
-    /// Subtracts the force of a point from the wrench: forces oppose the relative motion.
-    fn subtract_force(wrench: &mut Self::Wrench, force: &[L; 4], arm: &[L; 2], friction_arm: &[L; 3]);
+    /// Adds the force on A at a point to the wrench; the `FIRST` one sets the wrench, which costs
+    /// less than to add to zero.
+    fn add_force<const FIRST: bool>(wrench: &mut Self::Wrench, force: &[L; 4], arm: &[L; 2], friction_arm: &[L; 3]);
 }
 
 /// Body to be loaded into the inner loop.

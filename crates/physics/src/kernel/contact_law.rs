@@ -174,22 +174,23 @@ fn contact_points<L: Lanes, M: RelativeMotion<L>, const PARTING: bool>(
     wrench: &mut M::Wrench,
 ) {
     if count > 0 {
-        contact_point::<L, M, PARTING>(p, law, motion, wrench);
+        contact_point::<L, M, PARTING, true>(p, law, motion, wrench);
     }
     if count > 1 {
-        contact_point::<L, M, PARTING>(q, law, motion, wrench);
+        contact_point::<L, M, PARTING, false>(q, law, motion, wrench);
     }
     if count > 2 {
-        contact_point::<L, M, PARTING>(r, law, motion, wrench);
+        contact_point::<L, M, PARTING, false>(r, law, motion, wrench);
     }
     if count > 3 {
-        contact_point::<L, M, PARTING>(s, law, motion, wrench);
+        contact_point::<L, M, PARTING, false>(s, law, motion, wrench);
     }
 }
 
-/// Contact law at one point of each lane, from the motion of B relative to A.
+/// Contact law at one point of each lane, the `FIRST` of its part or another, from the motion of B
+/// relative to A.
 #[inline(always)]
-fn contact_point<L: Lanes, M: RelativeMotion<L>, const PARTING: bool>(
+fn contact_point<L: Lanes, M: RelativeMotion<L>, const PARTING: bool, const FIRST: bool>(
     p: &mut PointLanes<L::Scalar>,
     &PartLaw { part, again, law, damping_time, friction, left }: &PartLaw<L>,
     motion: &M,
@@ -249,7 +250,7 @@ fn contact_point<L: Lanes, M: RelativeMotion<L>, const PARTING: bool>(
 
     let arm = [load::<L>(&p.arm[0], again), load::<L>(&p.arm[1], again)];
     let normal_force = if PARTING { normal_force + (unlimited - normal_force) * left[1] } else { normal_force };
-    M::subtract_force(wrench, &[normal_force, g1, g2, g3], &arm, &load3(&p.friction_arm, again));
+    M::add_force::<FIRST>(wrench, &[normal_force, g1, g2, g3], &arm, &load3(&p.friction_arm, again));
 }
 
 /// Factor that scales friction and its springs back to Coulomb's cone, from the limit of friction

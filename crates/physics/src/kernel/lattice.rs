@@ -528,7 +528,7 @@ fn set_rows<R: Real>(to: &mut [Row<R>], x: DVec3, m: &DMat3) {
     to[1] = Row::new(m.y_axis, m.z_axis);
 }
 
-/// Adds rows to those of B and subtracts them from those of A, `next` scalars behind the first of
+/// Adds rows to those of A and subtracts them from those of B, `next` scalars behind the first of
 /// each.
 ///
 /// # Safety
@@ -541,13 +541,13 @@ unsafe fn add_rows<L: Lanes>(
     rows: L::Rows,
     force: &mut [Row<L::Scalar>],
 ) {
-    for (l, on_b) in rows.into_iter().enumerate() {
+    for (l, on_a) in rows.into_iter().enumerate() {
         let [a, b] = group.bodies(first + l);
         // SAFETY: as for this function; a body has two rows.
         let a = unsafe { row_mut(force, a + next) };
-        (L::Row::read(a) - on_b).write(a);
+        (L::Row::read(a) + on_a).write(a);
         // SAFETY: as for this function; a body has two rows.
         let b = unsafe { row_mut(force, b + next) };
-        (L::Row::read(b) + on_b).write(b);
+        (L::Row::read(b) - on_a).write(b);
     }
 }

@@ -70,22 +70,27 @@ impl<L: Lanes> RelativeMotion<L> for RigidMotion<L> {
     }
 
     #[inline(always)]
-    fn subtract_force(
+    fn add_force<const FIRST: bool>(
         wrench: &mut RigidWrench<L>,
         &[normal, g1, g2, g3]: &[L; 4],
         [r1, r2]: &[L; 2],
         [q1, q2, turn]: &[L; 3],
     ) {
-        wrench.f[0] -= normal;
-        wrench.f[1] -= g1;
-        wrench.f[2] -= g2;
-        wrench.m[0] -= (*q1 * g2 - *q2 * g1) + *turn * g3;
-        wrench.m[1] -= *r2 * normal;
-        wrench.m[2] += *r1 * normal;
+        let about_normal = (*q1 * g2 - *q2 * g1) + *turn * g3;
+        if FIRST {
+            *wrench = RigidWrench { f: [normal, g1, g2], m: [about_normal, *r2 * normal, L::zero() - *r1 * normal] };
+            return;
+        }
+        wrench.f[0] += normal;
+        wrench.f[1] += g1;
+        wrench.f[2] += g2;
+        wrench.m[0] += about_normal;
+        wrench.m[1] += *r2 * normal;
+        wrench.m[2] -= *r1 * normal;
     }
 }
 
-/// Adds a scalar at index `k` of the rows to the force on B and subtracts it from that on A.
+/// Adds a scalar at index `k` of the rows to the force on A and subtracts it from that on B.
 ///
 /// # Safety
 /// As for [`row`].
@@ -93,10 +98,10 @@ impl<L: Lanes> RelativeMotion<L> for RigidMotion<L> {
 unsafe fn add_component<R: Real>(force: &mut [Row<R>], [a, b]: [u32; 2], k: usize, x: R) {
     // SAFETY: as for this function.
     let a = unsafe { row_mut(force, a) };
-    a[k] = a[k] - x;
+    a[k] = a[k] + x;
     // SAFETY: as for this function.
     let b = unsafe { row_mut(force, b) };
-    b[k] = b[k] + x;
+    b[k] = b[k] - x;
 }
 
 /// [`BodyModel::apply_wrench`] for registers of one lane: rows need no transposition, and each
@@ -222,14 +227,14 @@ impl<R: Real> BodyModel<R> for Rigid<R> {
         let t = cross(&load3(&group.centroid, part), &f);
         let zero = L::zero();
         let rows = L::rows([f[0], f[1], f[2], zero, t[0] + m[0], t[1] + m[1], t[2] + m[2], zero]);
-        for (l, on_b) in rows.into_iter().enumerate() {
+        for (l, on_a) in rows.into_iter().enumerate() {
             let [a, b] = group.bodies(first + l);
             // SAFETY: as for this function.
             let a = unsafe { row_mut(force, a) };
-            (L::Row::read(a) - on_b).write(a);
+            (L::Row::read(a) + on_a).write(a);
             // SAFETY: as for this function.
             let b = unsafe { row_mut(force, b) };
-            (L::Row::read(b) + on_b).write(b);
+            (L::Row::read(b) - on_a).write(b);
         }
     }
 
