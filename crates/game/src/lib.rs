@@ -31,6 +31,7 @@ pub use analysis::freedom::freedom;
 pub use analysis::holders::{Side, StickingContact, holders, sticking};
 pub use analysis::move_log::FallAnalysis;
 pub use analysis::proportion::{FallChance, Proportion};
+pub use analysis::prospect::prospect;
 pub use analysis::rollout::{Rollout, TrialErrors, roll_out};
 pub use analysis::survey::{Survey, SurveyRun, Tally};
 pub use analysis::tower::{BlockAnalysis, TowerAnalysis, analyse_tower};

@@ -9,6 +9,7 @@ pub mod freedom;
 pub mod holders;
 pub mod move_log;
 pub mod proportion;
+pub mod prospect;
 pub mod rollout;
 pub mod survey;
 pub mod tower;

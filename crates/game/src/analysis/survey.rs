@@ -27,6 +27,9 @@ pub struct Tally {
     pub moved: f64,
     /// Sum of the freedom left over the rollouts without a fall.
     freedom: f64,
+    /// Number of rollouts in which the block was placed, and the sum of the prospects left in them.
+    placed: u32,
+    prospect: f64,
 }
 
 impl Tally {
@@ -34,6 +37,8 @@ impl Tally {
         self.falls.add(rollout.fell);
         self.stuck.add(rollout.end == Some(MoveEnd::Stuck));
         self.freedom += rollout.freedom;
+        self.placed += u32::from(rollout.end == Some(MoveEnd::Placed));
+        self.prospect += rollout.prospect;
         if !rollout.fell {
             self.moved = self.moved.max(rollout.moved);
         }
@@ -43,6 +48,12 @@ impl Tally {
     /// always falls.
     pub fn freedom(&self) -> f64 {
         self.freedom / f64::from((self.falls.tries - self.falls.count).max(1))
+    }
+
+    /// Mean prospect that the move leaves the next player, 0 to 1; 1 where the block is never
+    /// placed.
+    pub fn prospect(&self) -> f64 {
+        if self.placed == 0 { 1.0 } else { self.prospect / f64::from(self.placed) }
     }
 }
 

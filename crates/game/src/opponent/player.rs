@@ -1,5 +1,6 @@
 //! Opponent: chooses a move in its turn and carries it out, one command a frame.
 
+use glam::DVec3;
 use teeter_physics::BodyId;
 use teeter_scene::Random;
 
@@ -50,6 +51,8 @@ pub struct Opponent {
     turn: u32,
     failures: Vec<BodyId>,
     hand: Option<(BodyId, PlayerHand)>,
+    /// Block that it moved last in the turn, and where it was before, m.
+    home: Option<(BodyId, DVec3)>,
     /// Question that is not yet answered.
     question: Option<Question>,
     /// Answer that was not yet carried out; a plan where there is a move.
@@ -73,6 +76,7 @@ impl Opponent {
             turn: 0,
             failures: Vec::new(),
             hand: None,
+            home: None,
             question: None,
             answer: None,
             considered: Vec::new(),
@@ -95,6 +99,10 @@ impl Opponent {
             Intent::Wait => Command::Idle,
             Intent::Resign => Command::Resign,
             Intent::Move(plan) => self.begin(game, Some(plan)),
+            Intent::PutBack(body, home) => {
+                let hand = PlayerHand::putting_back(game, body, home, HandNoise::default(), self.random.bits());
+                self.carry_out(game, body, hand)
+            }
             Intent::Choose => {
                 let plan = self.chosen(game, &turn);
                 self.begin(game, plan)
@@ -139,6 +147,7 @@ impl Opponent {
         }
         if turn.number != self.turn {
             (self.turn, self.hand, self.question, self.answer) = (turn.number, None, None, None);
+            self.home = None;
             self.random = Random::new(Random::new(self.seed).bits().wrapping_add(u64::from(turn.number)));
             self.failures.clear();
         }
@@ -157,9 +166,14 @@ impl Opponent {
             Phase::Choosing if !is_quiet => Intent::Wait,
             Phase::Choosing => Intent::Choose,
             Phase::Removing | Phase::Placing => turn.block.map_or(Intent::Choose, |body| {
-                // The block that was moved already: by its other end where it did not come out.
+                // The block that was moved already is put back, and where it does not go back it is
+                // drawn by its other end.
+                let home = self.home.filter(|(moved, _)| *moved == body && turn.phase == Phase::Removing);
+                if let Some((_, home)) = home.filter(|_| !self.failures.len().is_multiple_of(2)) {
+                    return Intent::PutBack(body, home);
+                }
                 let along = slide_axis(game.blocks().orientation(body));
-                let toward = if self.failures.len().is_multiple_of(2) { along } else { -along };
+                let toward = if self.failures.len().is_multiple_of(4) { along } else { -along };
                 Intent::Move(MovePlan::pull(body, toward))
             }),
         }
@@ -168,10 +182,17 @@ impl Opponent {
     /// Begins a move, and returns its first command; it gives up where there is none.
     fn begin(&mut self, game: &Game, plan: Option<MovePlan>) -> Command {
         let Some(plan) = plan else { return Command::Resign };
-        let seed = self.random.bits();
-        let mut hand = PlayerHand::new(game, plan, HandNoise::default(), seed);
+        let hand = PlayerHand::new(game, plan, HandNoise::default(), self.random.bits());
+        if self.home.is_none_or(|(body, _)| body != plan.body) {
+            let position = game.blocks().positions().get(plan.body.index());
+            self.home = position.map(|position| (plan.body, *position));
+        }
+        self.carry_out(game, plan.body, hand)
+    }
+
+    fn carry_out(&mut self, game: &Game, body: BodyId, mut hand: PlayerHand) -> Command {
         let command = hand.next(game).unwrap_or_default();
-        self.hand = Some((plan.body, hand));
+        self.hand = Some((body, hand));
         command
     }
 
@@ -201,5 +222,6 @@ enum Intent {
     Wait,
     Resign,
     Move(MovePlan),
+    PutBack(BodyId, DVec3),
     Choose,
 }

@@ -22,7 +22,7 @@ pub enum Strength {
     Beginner,
     /// Tests which blocks are loose, and tries the best of them.
     Skilled,
-    /// Sees well, tries many, and leaves the next player hard ones.
+    /// Sees well, tries many, counts the moves that are left, and leaves the next player hard ones.
     Expert,
     /// Lets a child win: takes hard blocks upon itself and leaves the easy ones.
     Gentle,
@@ -50,6 +50,9 @@ pub struct Thinking {
     pub trouble: f64,
     /// Chance of its own fall that it wants, rather than none.
     pub risk: f64,
+    /// Chance of a fall that is as bad as leaving the next player a game that counting moves wins.
+    #[serde(default)]
+    pub foresight: f64,
 }
 
 impl Strength {
@@ -77,12 +80,16 @@ impl Strength {
             errors,
             trouble: 0.0,
             risk: 0.0,
+            foresight: 0.0,
         };
         match self {
             Self::Random => thinking(1, false, 0.0, EstimateErrors::none()),
             Self::Beginner => thinking(3, false, 20.0, errors(1e-4, 0.2, 1e-3)),
             Self::Skilled => thinking(5, true, 50.0, errors(5e-5, 0.1, 5e-4)),
-            Self::Expert => Thinking { trouble: 0.05, ..thinking(8, true, 130.0, errors(2e-5, 0.05, 2e-4)) },
+            Self::Expert => {
+                let thinking = thinking(8, true, 130.0, errors(2e-5, 0.05, 2e-4));
+                Thinking { trouble: 0.02, foresight: 0.5, ..thinking }
+            }
             Self::Gentle => Thinking { trouble: -0.05, risk: 0.5, ..thinking(4, false, 80.0, errors(5e-5, 0.1, 5e-4)) },
         }
     }

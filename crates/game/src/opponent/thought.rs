@@ -174,7 +174,7 @@ fn cost(thinking: &Thinking, tally: &Tally) -> f64 {
         _ => tally.falls.expected(),
     };
     let trouble = thinking.trouble * libm::log2(1.0 + tally.freedom());
-    risk + STUCK * tally.stuck.share() + trouble
+    risk + STUCK * tally.stuck.share() + trouble + thinking.foresight * tally.prospect()
 }
 
 /// Draws `count` different bodies, or all where there are fewer.

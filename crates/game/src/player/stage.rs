@@ -114,6 +114,8 @@ pub enum Stage {
     Grasp,
     /// Draws. Travel of the goal so far, m.
     Pull(f64),
+    /// Takes hold of a block that was left where it does not belong.
+    Return,
     /// Moves a block back that does not come out.
     Back,
     /// Draws a block that is out clear of the tower. Travel of the goal so far, m.

@@ -1,6 +1,7 @@
 //! Hand of a player who carries out the plan of a move, one command a frame.
 
 use glam::{DQuat, DVec3};
+use teeter_physics::BodyId;
 
 use crate::command::Command;
 use crate::game::Game;
@@ -28,10 +29,12 @@ const STUCK: f64 = 0.4;
 /// not come out is given up, over its length.
 const THROUGH: f64 = 0.4;
 const GIVE_UP: f64 = 1.6;
-/// Distance from where a block was within which it is put back, m, and frames after which the hand
-/// lets go of it wherever it is.
+/// Distance from where a block was within which it is put back, m; speed at which the hand nudges
+/// it on where its goal alone did not bring it there, m/s; frames after which the hand lets go of
+/// it wherever it is.
 const HOME: f64 = 0.001;
-const RETURN: u32 = 90;
+const NUDGE: f64 = 0.004;
+const RETURN: u32 = 300;
 /// Displacement by a poke from which a block is loose, m.
 const LOOSE: f64 = 0.002;
 /// Distance by which a block is drawn clear of the tower before it rises, m.
@@ -75,7 +78,7 @@ pub struct PlayerHand {
     stage: Stage,
     /// Frames in the stage.
     frames: u32,
-    /// Centre of the block at the start, m.
+    /// Centre of the block where it belongs until it is out, m.
     origin: DVec3,
     /// Centre of the block when the hand took hold of it last, m.
     grasped: DVec3,
@@ -95,6 +98,13 @@ impl PlayerHand {
         let origin = game.blocks().positions().get(plan.body.index()).copied().unwrap_or_default();
         let (senses, askew) = (Senses::new(noise.lag, game.world().frame()), errors.angle());
         Self { plan, errors, senses, stage, frames: 0, origin, grasped: origin, askew }
+    }
+
+    /// A hand that moves a block back to where it belongs, by the end that stands out most.
+    pub fn putting_back<S: Simulator>(game: &Game<S>, body: BodyId, home: DVec3, noise: HandNoise, seed: u64) -> Self {
+        let toward = game.blocks().positions().get(body.index()).map_or(DVec3::X, |position| *position - home);
+        let hand = Self::new(game, MovePlan::pull(body, toward), noise, seed);
+        Self { stage: Stage::Return, origin: home, ..hand }
     }
 
     /// End of the move; none before.
@@ -128,6 +138,7 @@ impl PlayerHand {
             (Stage::Poked, _) => self.poked(game, hold.is_some(), noticed),
             (Stage::Finger, _) => (self.grasp(game, -1.0, GripMode::Push), Stage::Push(0.0)),
             (Stage::Grasp, _) => (self.grasp(game, 1.0, GripMode::Auto), Stage::Pull(0.0)),
+            (Stage::Return, _) => (self.grasp(game, 1.0, GripMode::Auto), Stage::Back),
             (Stage::LetGo(end), Some(_)) => (Command::Release, Stage::Done(end)),
             (Stage::LetGo(end) | Stage::Done(end), _) => (Command::Idle, Stage::Done(end)),
             // The hand is empty although it should hold the block: the grasp was refused, or it was
@@ -211,15 +222,19 @@ impl PlayerHand {
 
     /// Moves the hand back to where the block was, and lets go when it is seen there.
     fn back<S: Simulator>(&self, game: &Game<S>, noticed: &Percept, hold: &Hold, shake: DVec3) -> (Command, Stage) {
-        let outward = self.outward(game);
-        let left = (self.origin - noticed.centre).dot(outward);
-        let is_back = left.abs() < HOME || self.frames > RETURN;
+        let left = (self.origin - noticed.centre).with_z(0.0);
+        let is_back = left.length() < HOME || self.frames > RETURN;
         if is_back || noticed.grip == Some(HoldGrip::Carry) {
             return (Command::Idle, Stage::LetGo(MoveEnd::Stuck));
         }
-        let goal = (self.origin - self.grasped + hold.start - hold.goal).dot(outward);
-        let step = goal.signum() * (DRAW * game.world().frame()).min(goal.abs());
-        (displace(outward * step + shake), Stage::Back)
+        let frame = game.world().frame();
+        let goal = (self.origin - self.grasped + hold.start - hold.goal).with_z(0.0);
+        let step = if goal.length() > HOME {
+            goal.clamp_length_max(DRAW * frame)
+        } else {
+            left.clamp_length_max(NUDGE * frame)
+        };
+        (displace(step + shake), Stage::Back)
     }
 
     fn clear<S: Simulator>(&mut self, game: &Game<S>, travel: f64, shake: DVec3) -> (Command, Stage) {

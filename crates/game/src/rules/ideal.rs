@@ -13,6 +13,9 @@ use std::collections::BTreeMap;
 
 use serde::Serialize;
 
+use crate::blocks::Blocks;
+use crate::tower_map::TowerMap;
+
 /// Blocks of a complete row.
 const CELLS: u32 = 3;
 /// Maximum number of rows that give blocks: a game has at most six moves for each.
@@ -71,6 +74,35 @@ impl IdealPosition {
         Self { complete: rows.saturating_sub(1).min(MAX_ROWS), one_ended: 0, top: 0 }
     }
 
+    /// The position of a tower as it stands. None where it has no complete row, or more rows than
+    /// the game is solved for.
+    pub fn of(blocks: &Blocks) -> Option<Self> {
+        let mut rows: BTreeMap<u32, [bool; 3]> = BTreeMap::new();
+        for (_, cell) in TowerMap::new(blocks, None).cells() {
+            rows.entry(cell.row).or_default()[cell.cell as usize] = true;
+        }
+        let protected = *rows.iter().rev().find(|(_, row)| **row == [true; 3])?.0;
+        let count = |is_counted: fn(&[bool; 3]) -> bool| {
+            rows.range(..protected).filter(|(_, row)| is_counted(row)).count() as u32
+        };
+        let top = rows.range(protected + 1..).map(|(_, row)| row.iter().filter(|cell| **cell).count() as u32).sum();
+        Self::new(count(|row| *row == [true; 3]), count(|row| row[1] && row[0] != row[2]), top)
+    }
+
+    /// Number of moves until none is left, if each takes an end.
+    pub fn moves_left(self) -> u32 {
+        let Self { complete, one_ended, top } = self;
+        let mut left = 2 * complete + one_ended;
+        let (mut moves, mut top) = (0, top);
+        while left > 0 {
+            (left, moves, top) = (left - 1, moves + 1, top + 1);
+            if top == CELLS {
+                (left, top) = (left + 2, 0);
+            }
+        }
+        moves
+    }
+
     /// The position after a move; none where no block allows it.
     pub fn after(self, chosen: IdealMove) -> Option<Self> {
         let Self { complete, one_ended, top } = self;
@@ -119,12 +151,47 @@ impl Solution {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::blocks::samples::tower;
 
     #[test]
     fn the_first_player_wins_a_tower_of_two_rows_and_those_of_four_or_more_that_three_does_not_divide() {
         for rows in 1..=40 {
             let is_expected = rows == 2 || (rows >= 4 && rows % 3 != 0);
             assert_eq!(IdealPosition::tower(rows).is_won(), is_expected, "{rows} rows");
+        }
+    }
+
+    #[test]
+    fn a_position_is_read_off_a_tower() {
+        let of = |rows: &[&str]| IdealPosition::of(&tower(rows, 0.0));
+        for rows in 1..8 {
+            assert_eq!(of(&vec!["xxx"; rows]), Some(IdealPosition::tower(rows as u32)), "{rows} rows");
+        }
+        // Of these rows the second and third give one end, the first and fourth nothing.
+        let rows = ["x.x", "xx.", ".xx", ".x.", "xxx", "xxx", ".xx"];
+        assert_eq!(of(&rows), IdealPosition::new(1, 2, 2));
+        assert_eq!(of(&["xx.", "xx."]), None);
+    }
+
+    #[test]
+    fn the_moves_that_are_left_are_those_of_the_longest_game() {
+        fn longest(position: IdealPosition, known: &mut BTreeMap<IdealPosition, u32>) -> u32 {
+            if let Some(moves) = known.get(&position) {
+                return *moves;
+            }
+            let next = IdealMove::ALL.into_iter().filter_map(|chosen| position.after(chosen));
+            let moves = next.map(|next| 1 + longest(next, known)).max().unwrap_or(0);
+            known.insert(position, moves);
+            moves
+        }
+        let mut known = BTreeMap::new();
+        for complete in 0..9 {
+            for one_ended in 0..6 {
+                for top in 0..3 {
+                    let position = IdealPosition { complete, one_ended, top };
+                    assert_eq!(position.moves_left(), longest(position, &mut known), "{position:?}");
+                }
+            }
         }
     }
 
