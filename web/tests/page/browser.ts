@@ -19,6 +19,8 @@ const FLAGS = [
   '--disable-background-networking',
   '--disable-component-update',
   '--disable-sync',
+  // Memory is measured when it is asked for.
+  '--enable-blink-features=ForceEagerMeasureMemory',
 ];
 /**
  * A fifth of the resolution and the lowest tier; the device chooses the form of the blocks and the
@@ -140,7 +142,16 @@ export async function host(root = ROOT): Promise<Host> {
     configFile: false,
     base: './',
     logLevel: 'silent',
-    preview: { host: '127.0.0.1', port: 0 },
+    preview: {
+      host: '127.0.0.1',
+      port: 0,
+      // As `teeter play` sends them.
+      headers: {
+        'cross-origin-opener-policy': 'same-origin',
+        'cross-origin-embedder-policy': 'require-corp',
+        'cross-origin-resource-policy': 'same-origin',
+      },
+    },
   });
   const browser = await chromium.launch({ executablePath, args: FLAGS });
   const { port } = server.httpServer.address() as { port: number };
