@@ -23,19 +23,24 @@ from teeter._teeter import (
     breakdown,
     contest,
     force_map,
+    remove,
     rules,
     step_games,
+    thinking,
 )
 from teeter.errors import (
     BodyError,
     CommandError,
     InputError,
+    PackageError,
     ParamError,
     RecordError,
     RulesError,
     SceneError,
     SnapshotError,
+    StudyError,
     TeeterError,
+    WorkerError,
 )
 from teeter.inputs import Drive, Force, Hand
 
@@ -53,6 +58,7 @@ __all__ = [
     "InputError",
     "Loads",
     "Opponent",
+    "PackageError",
     "ParamError",
     "Record",
     "RecordError",
@@ -61,7 +67,9 @@ __all__ = [
     "SceneError",
     "SnapshotError",
     "StepReport",
+    "StudyError",
     "TeeterError",
+    "WorkerError",
     "World",
     "WorldBatch",
     "__version__",
@@ -71,7 +79,9 @@ __all__ = [
     "errors",
     "force_map",
     "inputs",
+    "remove",
     "rules",
     "scenes",
     "step_games",
+    "thinking",
 ]

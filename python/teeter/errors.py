@@ -12,6 +12,9 @@ Each has a message of one line that says which block or field, its value, and wh
       RulesError     (ValueError)   rules that cannot be played
       CommandError   (ValueError)   what is no command of a game
       RecordError    (ValueError)   bytes that are no record, or one that cannot be replayed
+      StudyError     (ValueError)   a study, its parameters or its folder; a sample that failed
+      WorkerError    (RuntimeError) a worker of a study that ended before its samples were done
+      PackageError   (ImportError)  a package that a part of this one needs is not installed
 """
 
 from __future__ import annotations
@@ -20,12 +23,15 @@ __all__ = [
     "BodyError",
     "CommandError",
     "InputError",
+    "PackageError",
     "ParamError",
     "RecordError",
     "RulesError",
     "SceneError",
     "SnapshotError",
+    "StudyError",
     "TeeterError",
+    "WorkerError",
 ]
 
 
@@ -70,3 +76,15 @@ class CommandError(TeeterError, ValueError):
 
 class RecordError(TeeterError, ValueError):
     """Bytes that are no record, or a record that cannot be replayed."""
+
+
+class StudyError(TeeterError, ValueError):
+    """Study, parameter of a study or folder of results that is not expected, or a sample that failed."""
+
+
+class WorkerError(TeeterError, RuntimeError):
+    """Worker of a study that ended before its samples were done."""
+
+
+class PackageError(TeeterError, ImportError):
+    """Package that a part of this one needs, and that is not installed."""

@@ -159,3 +159,15 @@ def test_rules_of_a_table_can_be_changed_and_are_checked():
     assert error.value.field == "players"
     with pytest.raises(teeter.RulesError):
         teeter.Game(SMALL, "poker")
+
+
+def test_a_strength_is_a_manner_of_thinking():
+    strengths = ["random", "beginner", "skilled", "expert", "gentle"]
+    budgets = [teeter.thinking(strength)["budget"] for strength in strengths]
+    assert budgets[0] == 0.0 and budgets[:4] == sorted(budgets[:4])
+    scene = teeter.scenes.config("(010)-(101)-(010)-(111)")
+    by_name = teeter.contest(scene, "official", ["random", "random"], seed=1)
+    by_dict = teeter.contest(scene, "official", [teeter.thinking("random")] * 2, seed=1)
+    assert by_name[0].encode() == by_dict[0].encode()
+    with pytest.raises(teeter.InputError, match="`strength"):
+        teeter.thinking("strong")

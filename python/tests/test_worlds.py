@@ -56,6 +56,19 @@ def test_the_xray_of_a_column_counts_the_blocks_above():
     assert loads.below == pytest.approx(weight * np.arange(10, 0, -1), rel=1e-3)
     assert loads.above == pytest.approx(weight * np.arange(9, -1, -1), rel=1e-3, abs=1e-6)
     assert world.xray(0.2).tightness == pytest.approx(loads.tightness / 2)
+    assert loads.loose.tolist() == [False] * 9 + [True]
+
+
+def test_a_removal_falls_where_rigid_blocks_do():
+    bridge = teeter.scenes.config("(010)-(111)")
+    stands = teeter.remove(bridge, 1)
+    assert (stands["id"], stands["fell"], stands["exact_fell"]) == (1, False, False)
+    falls = teeter.remove(bridge, 0)
+    assert falls["fell"] and falls["exact_fell"] and falls["creep_mm"] == 0.0
+    with pytest.raises(teeter.BodyError):
+        teeter.remove(bridge, 4)
+    with pytest.raises(teeter.SceneError):
+        teeter.remove("block", 0)
 
 
 def test_a_block_breaks_away_at_coulombs_force_and_the_world_stays():

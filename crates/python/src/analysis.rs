@@ -5,7 +5,7 @@ use serde::Serialize;
 use teeter_game::{FallChance, Rules, Survey, TrialErrors};
 use teeter_physics::{BodyId, Params};
 
-use crate::argument::{seed, within};
+use crate::argument::{body_of, seed, within};
 use crate::error::Kind;
 use crate::game::rules_of;
 use crate::plain::write;
@@ -27,6 +27,21 @@ pub fn force_map<'py>(scene: &Bound<'py, PyAny>) -> PyResult<Bound<'py, PyAny>> 
     let scene = scene_of(scene)?;
     let blocks = detached(py, || teeter_study::force_map(&scene, Params::default(), || ()))?;
     write(py, &blocks.map_err(|error| unbuilt(&error))?)
+}
+
+/// Builds a scene without one of its blocks, simulates it for 5 s, and returns a dict: id; fell;
+/// exact_fell, whether a tower of rigid blocks falls (None where the linear programme was not
+/// solved); lean_mm, the largest displacement of any block from where it was built; creep_mm, that
+/// after the first 2 s.
+///
+/// body: index of the block in the scene. Raises SceneError or BodyError.
+#[pyfunction]
+pub fn remove<'py>(scene: &Bound<'py, PyAny>, body: &Bound<'py, PyAny>) -> PyResult<Bound<'py, PyAny>> {
+    let py = scene.py();
+    let scene = scene_of(scene)?;
+    let body = body_of(scene.blocks.len(), "body", body)?;
+    let removal = detached(py, || teeter_study::remove(&scene, body.index(), Params::default()))?;
+    write(py, &removal.map_err(|error| unbuilt(&error))?)
 }
 
 #[derive(Serialize)]

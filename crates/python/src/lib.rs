@@ -25,7 +25,7 @@ use pyo3::prelude::*;
 #[pymodule]
 mod _teeter {
     #[pymodule_export]
-    use crate::analysis::{analyse, breakdown, force_map};
+    use crate::analysis::{analyse, breakdown, force_map, remove};
     #[pymodule_export]
     use crate::batch::WorldBatch;
     #[pymodule_export]
@@ -33,7 +33,7 @@ mod _teeter {
     #[pymodule_export]
     use crate::game::{Game, rules, step_games};
     #[pymodule_export]
-    use crate::opponent::{Opponent, contest};
+    use crate::opponent::{Opponent, contest, thinking};
     #[pymodule_export]
     use crate::record::Record;
     #[pymodule_export]

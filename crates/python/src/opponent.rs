@@ -51,6 +51,17 @@ fn thinking_of(field: &str, object: &Bound<'_, PyAny>) -> PyResult<Thinking> {
     Ok(thinking)
 }
 
+/// Manner of thinking of a strength, a dict that Opponent and contest take as well: candidates, the
+/// number of blocks that are tried; is_ranked, True when these are the best ones; budget, the
+/// simulated time of all rollouts of a move, s; errors of the estimate: height (m), friction (a
+/// share), position (m); trouble; risk.
+///
+/// Raises InputError.
+#[pyfunction]
+pub fn thinking<'py>(strength: &Bound<'py, PyAny>) -> PyResult<Bound<'py, PyAny>> {
+    write(strength.py(), &thinking_of("strength", strength)?)
+}
+
 /// A move that was considered.
 #[derive(Debug, Serialize)]
 struct Move {

@@ -142,20 +142,27 @@ impl Contacts {
 /// Loads of all bodies: the X-ray.
 ///
 /// Each an array of shape (n,), N. below: normal force on the lower face. above: normal force on
-/// the upper face, the load. tightness: force that starts the block sliding straight.
+/// the upper face, the load. tightness: force that starts the block sliding straight. loose: bool,
+/// True where nothing presses on the block.
 #[pyclass(frozen, get_all, module = "teeter")]
 #[derive(Debug)]
 pub struct Loads {
     below: Py<PyArray1<f64>>,
     above: Py<PyArray1<f64>>,
     tightness: Py<PyArray1<f64>>,
+    loose: Py<PyArray1<bool>>,
 }
 
 impl Loads {
     /// Arrays of loads.
     pub fn new(py: Python<'_>, loads: &[Load]) -> Self {
         let array = |part: fn(&Load) -> f64| PyArray1::from_vec(py, loads.iter().map(part).collect()).unbind();
-        Self { below: array(|x| x.below_n), above: array(|x| x.above_n), tightness: array(|x| x.tightness_n) }
+        Self {
+            below: array(|x| x.below_n),
+            above: array(|x| x.above_n),
+            tightness: array(|x| x.tightness_n),
+            loose: PyArray1::from_vec(py, loads.iter().map(Load::is_loose).collect()).unbind(),
+        }
     }
 }
 
