@@ -21,7 +21,10 @@ def snippets(page):
         yield pytest.param(match[1], id=f"{page}:{text[: match.start()].count(chr(10)) + 1}")
 
 
-@pytest.mark.parametrize("code", [*snippets("README.md"), *snippets("docs/python.md")])
+PAGES = ("README.md", "docs/python.md", "docs/studies.md")
+
+
+@pytest.mark.parametrize("code", [snippet for page in PAGES for snippet in snippets(page)])
 def test_a_snippet_of_the_documents_runs_as_written(code):
     exec(compile(code, "snippet", "exec"), {"__name__": "snippet"})
 

@@ -60,7 +60,7 @@ def loose_shares(table: Any) -> Any:
         axes.plot(scatter, [line[column] for line in lines], "o-", color=colour, ms=4, label=name)
         low, high = ([line[f"{column}_{end}"] for line in lines] for end in ("low", "high"))
         axes.fill_between(scatter, low, high, color=colour, alpha=0.2, lw=0)
-    axes.axhline(0.5, color="black", lw=0.8, ls=":", label="limit of stiff blocks")
+    axes.axhline(0.5, color="black", lw=0.8, ls=":", label="half: the rule by heights")
     positive = scatter[scatter > 0]
     axes.set_xscale("symlog", linthresh=float(positive.min()) if len(positive) else 1.0)
     axes.set(xlabel="scatter of the heights (standard deviation), mm", ylabel="share of loose blocks", ylim=(0, 0.8))

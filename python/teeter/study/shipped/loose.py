@@ -48,7 +48,8 @@ The share of loose blocks against the scatter of their heights.
 
 Parameters: rows; height_sd, m, from 0 to 1 mm by default; friction; stiffness of a contact, N/m. Columns:
 loose_share, of the blocks below the top row; loose_middle and loose_outer, of the middle and outer ones;
-at_rest. The limit of stiff blocks is one half: in a row the middle block is loose, or both outer ones are.
+at_rest. By heights alone the middle block of a row is loose where it is lower than the mean of the outer ones, and
+otherwise both of these: half of all blocks.
 """
 
 LOOSE = Study(
