@@ -1,7 +1,9 @@
-"""Studies for the tests, in a module that workers can import."""
+"""Studies for the tests, in a module that workers can import, and the program that runs them."""
 
 import os
 import signal
+import subprocess
+import sys
 from pathlib import Path
 
 import teeter
@@ -64,9 +66,27 @@ def fails(sample):
 FAILS = Study("fails", fails, DROP.columns, DROP.params)
 
 
+def stops(sample):
+    """Sample 3 is stopped from the keyboard."""
+    if sample.index == 3:
+        raise KeyboardInterrupt
+    return {"x": sample.index}
+
+
+STOPS = Study("stops", stops, {"x": "int"})
+
+
 def number(sample):
     """A number of the seed alone: as cheap as a sample can be."""
     return {"x": float(sample.rng().normal()), "even": sample.index % 2 == 0}
 
 
 NUMBER = Study("number", number, {"x": "float", "even": "bool"}, {"a": (1, 2, 3), "b": 0.5})
+
+
+def program(*arguments):
+    """Runs ``python -m teeter.study`` to its end."""
+    folders = os.pathsep.join([str(Path(teeter.__file__).parents[1]), str(Path(__file__).parent)])
+    environment = {**os.environ, "PYTHONPATH": folders}
+    command = [sys.executable, "-m", "teeter.study", *map(str, arguments)]
+    return subprocess.run(command, capture_output=True, text=True, timeout=500, env=environment)

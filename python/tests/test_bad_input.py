@@ -143,6 +143,8 @@ FUNCTIONS = [
     teeter.Opponent,
     teeter.rules,
     teeter.force_map,
+    teeter.remove,
+    teeter.thinking,
     teeter.analyse,
     teeter.breakdown,
     teeter.step_games,

@@ -2,8 +2,7 @@
 
 import contextlib
 import math
-import os
-import subprocess
+import signal
 import sys
 from pathlib import Path
 
@@ -11,15 +10,16 @@ import numpy as np
 import pytest
 from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
-from study_samples import DROP, FAILS, NUMBER, number
+from study_samples import DIES, DROP, FAILS, NUMBER, STOPS, number, program
 
 import teeter
 from teeter import study
+from teeter.study.__main__ import main
 from teeter.study.extra import needed
 from teeter.study.folder import Folder
 from teeter.study.interval import Z95
 
-pytest.importorskip("pyarrow")
+pq = pytest.importorskip("pyarrow.parquet")
 
 indices = st.integers(0, 2**63 - 1)
 
@@ -246,6 +246,13 @@ def test_a_part_that_is_not_of_this_folder_is_refused(out, tmp_path_factory):
     refused(out, "notes.txt", "no part")
 
 
+def test_a_part_with_other_values_is_refused(out):
+    table = pq.read_table(part_of(out))
+    other = table.set_column(table.column_names.index("x"), "x", table["x"].combine_chunks().take([1, 0, 2, 3]))
+    pq.write_table(other.cast(table.schema), part_of(out))
+    refused(out, part_of(out).name, "digest")
+
+
 def test_samples_in_two_parts_are_refused(out):
     plan = study.Plan(NUMBER)
     folder = Folder(out, plan)
@@ -402,13 +409,6 @@ def test_a_summary_is_of_each_cell():
 # The program
 
 
-def program(*arguments):
-    folders = os.pathsep.join([str(Path(teeter.__file__).parents[1]), str(Path(__file__).parent)])
-    environment = {**os.environ, "PYTHONPATH": folders}
-    command = [sys.executable, "-m", "teeter.study", *map(str, arguments)]
-    return subprocess.run(command, capture_output=True, text=True, timeout=300, env=environment)
-
-
 def test_the_program_runs_a_study_of_ones_own(tmp_path):
     figure = tmp_path / "number.svg"
     line = [
@@ -428,17 +428,40 @@ def test_the_program_runs_a_study_of_ones_own(tmp_path):
     assert expected.digest[:16] in done.stdout
     assert "a=4: 6 samples" in done.stdout
     assert figure.read_text().startswith("<?xml")
-    bad = program(*line, "--seed", 1)
-    assert bad.returncode == 2
-    assert "`seed` 0, expected 1" in bad.stderr
-    for wrong in (
-        ["castle"],
-        ["study_samples:drop"],
-        ["absent:X"],
-        ["loose", "--set", "rows"],
-        ["loose", "--samples", "0"],
-    ):
-        done = program(*wrong, "--out", tmp_path / "x", "--executor", "serial")
-        assert done.returncode == 2
-        assert done.stderr.startswith("teeter: ")
-        assert done.stderr.count("\n") == 1
+
+
+@pytest.mark.parametrize(
+    "line, words",
+    [
+        (["castle"], "there is no study 'castle'"),
+        (["study_samples:drop"], "expected a Study"),
+        (["absent_module:X"], "absent_module"),
+        (["loose", "--set", "rows"], "`--set` is 'rows'"),
+        (["loose", "--samples", "0"], "`samples` is 0"),
+        (["loose", "--workers", "3"], "`workers` is 3"),
+        (["study_samples:NUMBER", "--samples", "4", "--plot", "x.castle"], "cannot be drawn"),
+    ],
+)
+def test_the_program_ends_with_a_line_on_the_error(line, words, tmp_path, capsys):
+    assert main([*line, "--out", str(tmp_path / "out"), "--executor", "serial", "--quiet"]) == 2
+    shown = capsys.readouterr().err
+    assert shown.startswith("teeter: ") and words in shown and shown.count("\n") == 1
+
+
+def test_a_study_that_is_stopped_says_how_it_goes_on(tmp_path, capsys):
+    line = ["study_samples:STOPS", "--out", str(tmp_path), "--samples", "6", "--executor", "serial", "--batch", "1"]
+    assert main([*line, "--quiet"]) == 130
+    assert "the same command goes on" in capsys.readouterr().err
+    assert study.load(tmp_path, STOPS).table["x"].to_pylist() == [0, 1, 2]
+
+
+def test_a_study_that_was_killed_goes_on_from_what_is_there(tmp_path):
+    out, params = tmp_path / "out", {"marker": str(tmp_path / "killed")}
+    line = ["study_samples:DIES", "--executor=serial", "--out", out, "--samples=9", "--batch=2", "--quiet"]
+    killed = program(*line, f"--set=marker={params['marker']}")
+    assert killed.returncode == -signal.SIGKILL
+    assert study.load(out, DIES).table["index"].to_pylist() == [0, 1, 2, 3]
+    before = {path: path.stat().st_mtime_ns for path in (out / "parts").iterdir()}
+    whole = study.run(DIES, out, samples=9, params=params)
+    assert whole.digest == study.run(DIES, samples=9, params=params).digest
+    assert all(path.stat().st_mtime_ns == time for path, time in before.items())

@@ -3,14 +3,11 @@
 import importlib.util
 import json
 import os
-import subprocess
-import sys
 import threading
 from concurrent import futures
-from pathlib import Path
 
 import pytest
-from study_samples import ALWAYS_DIES, DIES, DROP, NUMBER
+from study_samples import ALWAYS_DIES, DIES, DROP, NUMBER, program
 
 import teeter
 from teeter import study
@@ -74,9 +71,10 @@ def test_a_process_killed_in_the_middle_changes_nothing(tmp_path):
     assert killed.digest == study.run(DIES, samples=SAMPLES, params=params).digest
 
 
-def test_a_worker_that_always_ends_is_named_and_the_other_rows_stay(tmp_path):
+@pytest.mark.parametrize("workers, samples", [(1, 3), (2, 8)])
+def test_a_worker_that_always_ends_is_named_and_the_other_rows_stay(tmp_path, workers, samples):
     with pytest.raises(teeter.WorkerError, match="samples 2 to 2 lost their worker 4 times") as caught:
-        study.run(ALWAYS_DIES, tmp_path, samples=3, executor="processes", workers=1, batch=1)
+        study.run(ALWAYS_DIES, tmp_path, samples=samples, executor="processes", workers=workers, batch=1)
     assert caught.value.field == "executor"
     rows = study.load(tmp_path, ALWAYS_DIES).table["x"].to_pylist()
     assert rows == [0, 1]
@@ -85,29 +83,16 @@ def test_a_worker_that_always_ends_is_named_and_the_other_rows_stay(tmp_path):
 # Clusters, each in a process of its own as in a shell
 
 
-def cluster(name, which, params, out, *arguments):
-    folders = os.pathsep.join([str(Path(teeter.__file__).parents[1]), str(Path(__file__).parent)])
-    line = [sys.executable, "-m", "teeter.study", f"study_samples:{which}", "--executor", name, "--out", str(out)]
-    line += [f"--set={key}={value}" for key, value in params.items()]
-    done = subprocess.run(
-        [*line, "--quiet", "--json", *arguments],
-        capture_output=True,
-        text=True,
-        timeout=500,
-        env={**os.environ, "PYTHONPATH": folders},
-    )
-    assert done.returncode == 0, done.stderr
-    return json.loads(done.stdout)
-
-
 @pytest.mark.parametrize("name", ["ray", "dask"])
 def test_a_cluster_of_two_with_one_killed_gives_the_rows_of_serial(name, tmp_path):
     if importlib.util.find_spec({"ray": "ray", "dask": "distributed"}[name]) is None:
         pytest.skip(f"{name} is not installed")
     marker = tmp_path / "killed"
     params = {"marker": str(marker)}
-    more = ["--samples", str(SAMPLES), "--workers", "2", "--batch", "2"]
-    killed = cluster(name, "DIES", params, tmp_path / "out", *more)
+    line = ["study_samples:DIES", "--out", tmp_path / "out", "--samples", SAMPLES, f"--set=marker={marker}"]
+    done = program(*line, "--executor", name, "--workers=2", "--batch=2", "--quiet", "--json")
+    assert done.returncode == 0, done.stderr
+    killed = json.loads(done.stdout)
     assert int(marker.read_text()) != os.getpid()
     serial = study.run(DIES, samples=SAMPLES, params=params)
     assert killed["samples"] == SAMPLES

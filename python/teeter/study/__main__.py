@@ -23,7 +23,9 @@ DATASET = "dataset"
 
 
 def main(arguments: Sequence[str] | None = None) -> int:
-    """Runs a study or makes the data set, and returns the code for the shell: 0, or 2 after a line on the error."""
+    """Runs a study or makes the data set, and returns the code for the shell: 0, 2 after a line on the error, or
+    130 where it was stopped.
+    """
     options = _parser().parse_args(arguments)
     try:
         # Ray reports on the standard output, which is for the results here.
@@ -36,6 +38,9 @@ def main(arguments: Sequence[str] | None = None) -> int:
     except (TeeterError, ModuleNotFoundError) as error:
         print(f"teeter: {error}", file=sys.stderr)
         return 2
+    except KeyboardInterrupt:
+        print("teeter: stopped; the same command goes on from what is there", file=sys.stderr)
+        return 130
     return 0
 
 

@@ -204,7 +204,8 @@ def executor_of(executor: Any, workers: int | None = None, address: str | None =
     if workers is not None or address is not None:
         raise StudyError("`workers` and `address` are for executors given by name", "workers")
     if isinstance(executor, futures.Executor):
-        return Futures(executor, getattr(executor, "_max_workers", None) or _cores())
+        is_remote = not isinstance(executor, futures.ThreadPoolExecutor)
+        return Futures(executor, getattr(executor, "_max_workers", None) or _cores(), is_remote=is_remote)
     if hasattr(executor, "get_executor") and hasattr(executor, "nthreads"):
         return Dask(executor)
     if all(hasattr(executor, name) for name in ("workers", "submit", "wait", "result", "close", "is_remote")):

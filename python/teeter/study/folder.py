@@ -25,7 +25,7 @@ __all__ = ["Folder", "manifest_of", "table_digest"]
 FORMAT = 1
 MANIFEST, UNFINISHED = "manifest.json", "manifest.unfinished"
 PART = re.compile(r"part-(\d{12})-(\d{12})\.parquet")
-IDENTITY = b"teeter.study"
+IDENTITY, DIGEST = b"teeter.study", b"teeter.digest"
 
 
 class Folder:
@@ -84,10 +84,12 @@ class Folder:
         """Writes the rows of the samples from ``start`` on."""
         stop = start + len(rows)
         columns = [list(column) for column in zip(*rows, strict=True)]
-        schema = self.schema.with_metadata({IDENTITY: self.plan.digest().encode()})
+        schema = self.schema
         table = self._pa.Table.from_arrays(
             [self._pa.array(column, kind) for column, kind in zip(columns, schema.types, strict=True)], schema=schema
         )
+        marks = {IDENTITY: self.plan.digest().encode(), DIGEST: table_digest(table).encode()}
+        table = table.replace_schema_metadata(marks)
         path = self.path / "parts" / f"part-{start:012}-{stop:012}.parquet"
         unfinished = path.with_suffix(".unfinished")
         self._pq.write_table(table, unfinished, write_page_checksum=True)
@@ -143,8 +145,7 @@ class Folder:
             raise StudyError(f"`{path}` is no part of a study", "out")
         part = range(int(match[1]), int(match[2]))
         table = self._read(path)
-        identity = (table.schema.metadata or {}).get(IDENTITY)
-        if identity != self.plan.digest().encode():
+        if (table.schema.metadata or {}).get(IDENTITY) != self.plan.digest().encode():
             raise StudyError(f"`{path}` is a part of another study, expected one of `{self.plan.study.name}`", "out")
         if not table.schema.equals(self.schema) or table["index"].to_pylist() != list(part):
             raise self._damaged(path, "its columns or samples are not those of its name")
@@ -156,11 +157,16 @@ class Folder:
         self._parts[part] = path
 
     def _read(self, path: Path) -> Any:
+        """Table of a part, with the values that were written. Checksums of pages find most damage, the digest all."""
         try:
             with self._pq.ParquetFile(path, page_checksum_verification=True) as file:
-                return file.read()
-        except (OSError, self._pa.ArrowException) as error:
+                table = file.read()
+            digest = table_digest(table).encode()
+        except (OSError, ValueError, self._pa.ArrowException) as error:
             raise self._damaged(path, str(error)) from error
+        if (table.schema.metadata or {}).get(DIGEST) != digest:
+            raise self._damaged(path, "its values are not those of its digest")
+        return table
 
     def _damaged(self, path: Path, reason: str) -> StudyError:
         line = " ".join(reason.split())
@@ -186,7 +192,7 @@ def table_digest(table: Any) -> str:
     whole = hashlib.sha256()
     for name in table.column_names:
         column = table[name].combine_chunks()
-        whole.update(f"{name} {column.type} {len(column)}\n".encode())
+        whole.update(f"{name} {len(column)}\n".encode())
         whole.update(column.is_null().to_numpy(zero_copy_only=False).tobytes())
         for values in _values(column):
             whole.update(values)
@@ -196,12 +202,12 @@ def table_digest(table: Any) -> str:
 def _values(column: Any) -> Iterable[bytes]:
     kind = str(column.type)
     if kind.startswith("list"):
-        lengths = [-1 if one is None else len(one) for one in column.to_pylist()]
-        yield json.dumps(lengths).encode()
+        yield json.dumps([None if one is None else len(one) for one in column.to_pylist()]).encode()
         yield from _values(column.flatten())
     elif kind == "string":
         yield json.dumps(column.to_pylist()).encode()
     else:
+        yield f"{kind}\n".encode()
         yield column.fill_null(False if kind == "bool" else 0).to_numpy(zero_copy_only=False).tobytes()
 
 

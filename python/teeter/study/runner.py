@@ -180,10 +180,12 @@ def _rows(plan: Plan, batches: _Batches, executor: Executor) -> Iterator[tuple[i
     losses: Counter[range] = Counter()
     while True:
         while len(running) < 2 * executor.workers:
-            batch = again.popleft() if again else batches.next()
+            batch = _next(again, losses, batches, bool(running))
             if batch is None:
                 break
             running[executor.submit(measure_batch, payload, batch.start, batch.stop)] = batch
+            if losses[batch] > 1:
+                break
         if not running:
             return
         for handle in executor.wait(list(running)):
@@ -202,6 +204,17 @@ def _rows(plan: Plan, batches: _Batches, executor: Executor) -> Iterator[tuple[i
                 yield batch.start, done.rows
             if done.error is not None:
                 raise done.error
+
+
+def _next(again: deque[range], losses: Counter[range], batches: _Batches, is_busy: bool) -> range | None:
+    """Next batch to be sent, or None where there is none now.
+
+    A pool of processes ends as a whole, so all batches that are out are lost with the one that is to blame. One that
+    was lost twice is therefore sent alone.
+    """
+    if not again:
+        return batches.next()
+    return None if is_busy and losses[again[0]] > 1 else again.popleft()
 
 
 @dataclass(frozen=True)
