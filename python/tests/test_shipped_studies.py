@@ -78,14 +78,14 @@ def test_a_player_builds_as_high_as_its_moves():
         study.run("strength", samples=1, params={"strength": "strong"})
 
 
-@pytest.mark.parametrize("name", ["removal", "loose", "strength"])
+@pytest.mark.parametrize("name", list(study.STUDIES))
 def test_a_plot_shows_the_results_and_has_the_same_bytes_again(name, tmp_path):
     result = study.run(name, samples=3, params=SMALL[name])
     result.plot(tmp_path / "a.svg")
     result.plot(tmp_path / "b.svg")
     drawn = (tmp_path / "a.svg").read_text()
     assert drawn == (tmp_path / "b.svg").read_text()
-    words = {"removal": "3 removals", "loose": "3 towers", "strength": "3 games"}
+    words = {"removal": "3 removals", "loose": "3 towers", "strength": "3 games", "extraction": "3 samples"}
     assert words[name] in drawn
     with pytest.raises(teeter.StudyError, match="cannot be drawn"):
         result.plot(tmp_path / "a.castle")

@@ -2,6 +2,7 @@
 
 import contextlib
 import math
+import shutil
 import signal
 import sys
 from pathlib import Path
@@ -209,6 +210,12 @@ def test_a_damaged_manifest_is_refused(out, text):
         study.load(out)
 
 
+def test_a_folder_without_parts_has_no_rows(out):
+    shutil.rmtree(out / "parts")
+    assert study.load(out, NUMBER).table.num_rows == 0
+    assert study.run(NUMBER, out, samples=8).table.num_rows == 8
+
+
 def part_of(out, first=0):
     return out / "parts" / f"part-{first:012}-{first + 4:012}.parquet"
 
@@ -273,6 +280,8 @@ def test_a_folder_has_one_writer_at_a_time(out):
     folder = Folder(out, study.Plan(NUMBER))
     try:
         refused(out, "another run")
+        (out / "parts" / "part-000000000008-000000000012.unfinished").write_text("x")
+        assert study.load(out, NUMBER).table.num_rows == 8
     finally:
         folder.close()
     study.run(NUMBER, out, samples=9)

@@ -29,26 +29,25 @@ IDENTITY, DIGEST = b"teeter.study", b"teeter.digest"
 
 
 class Folder:
-    """Results of a plan in a folder, which is made where it is absent.
+    """Results of a plan in a folder.
+
+    writes: True to add to it; it is made where it is absent, and no other run can write to it until close().
 
     Raises StudyError for a folder of another study, a damaged one, or one that another run is writing to.
     """
 
-    def __init__(self, path: str | os.PathLike[str], plan: Plan) -> None:
+    def __init__(self, path: str | os.PathLike[str], plan: Plan, writes: bool = True) -> None:
         self.path, self.plan = Path(path), plan
         self._pa = needed("pyarrow", "study")
         self._pq = needed("pyarrow.parquet", "study")
-        lock = needed("filelock", "study")
-        self._refuse_others()
+        self._parts: dict[range, Path] = {}
+        self._lock: Any = None
+        if writes:
+            self._refuse_others()
+            self._acquire()
         try:
-            (self.path / "parts").mkdir(parents=True, exist_ok=True)
-            self._lock = lock.FileLock(self.path / ".lock", timeout=0)
-            self._lock.acquire()
-        except lock.Timeout:
-            raise StudyError(f"`{self.path}` is being written by another run of a study", "out") from None
-        except OSError as error:
-            raise StudyError(f"`{self.path}` cannot be written: {error.strerror or error}", "out") from error
-        try:
+            if writes:
+                self._begin()
             self._open()
         except BaseException:
             self.close()
@@ -56,7 +55,8 @@ class Folder:
 
     def close(self) -> None:
         """Lets other runs write."""
-        self._lock.release()
+        if self._lock is not None:
+            self._lock.release()
 
     @property
     def schema(self) -> Any:
@@ -113,19 +113,34 @@ class Folder:
         if others:
             raise StudyError(f"`{self.path}` has `{min(others)}` and no {MANIFEST}: it is no folder of a study", "out")
 
-    def _open(self) -> None:
-        self._parts: dict[range, Path] = {}
-        manifest, expected = self.path / MANIFEST, {"format": FORMAT, **self.plan.identity()}
-        if manifest.exists():
-            self._compare(manifest_of(self.path), expected)
-        else:
+    def _acquire(self) -> None:
+        """Makes the folder where it is absent, and keeps other runs out."""
+        lock = needed("filelock", "study")
+        try:
+            (self.path / "parts").mkdir(parents=True, exist_ok=True)
+            self._lock = lock.FileLock(self.path / ".lock", timeout=0)
+            self._lock.acquire()
+        except lock.Timeout:
+            raise StudyError(f"`{self.path}` is being written by another run of a study", "out") from None
+        except OSError as error:
+            raise StudyError(f"`{self.path}` cannot be written: {error.strerror or error}", "out") from error
+
+    def _begin(self) -> None:
+        """Writes the manifest where there is none, and removes files that were not finished."""
+        if not (self.path / MANIFEST).exists():
             unfinished = self.path / UNFINISHED
-            unfinished.write_text(json.dumps(expected, indent=1) + "\n")
-            _finish(unfinished, manifest)
-        for path in sorted((self.path / "parts").iterdir()):
-            if path.suffix == ".unfinished":
-                path.unlink()
-            else:
+            unfinished.write_text(json.dumps({"format": FORMAT, **self.plan.identity()}, indent=1) + "\n")
+            _finish(unfinished, self.path / MANIFEST)
+        for path in (self.path / "parts").glob("*.unfinished"):
+            path.unlink()
+
+    def _open(self) -> None:
+        """Reads what is there."""
+        self._compare(manifest_of(self.path), {"format": FORMAT, **self.plan.identity()})
+        parts = self.path / "parts"
+        for path in sorted(parts.iterdir()) if parts.is_dir() else ():
+            # Another run may be writing while this one reads.
+            if path.suffix != ".unfinished":
                 self._take(path)
 
     def _compare(self, found: dict[str, Any], expected: dict[str, Any]) -> None:

@@ -62,7 +62,10 @@ def loose_shares(table: Any) -> Any:
         axes.fill_between(scatter, low, high, color=colour, alpha=0.2, lw=0)
     axes.axhline(0.5, color="black", lw=0.8, ls=":", label="half: the rule by heights")
     positive = scatter[scatter > 0]
-    axes.set_xscale("symlog", linthresh=float(positive.min()) if len(positive) else 1.0)
+    # Linear from zero to the first value, for a logarithm has no zero.
+    first = float(positive.min()) if len(positive) else 1.0
+    axes.set_xscale("symlog", linthresh=first)
+    axes.set_xlim(left=-0.3 * first)
     axes.set(xlabel="scatter of the heights (standard deviation), mm", ylabel="share of loose blocks", ylim=(0, 0.8))
     axes.legend(fontsize=8)
     axes.set_title(f"{table.num_rows} towers, mean and its interval of 95 %", fontsize=9)

@@ -105,15 +105,14 @@ def run(
 
 
 def load(out: str | os.PathLike[str], study: str | Study | None = None) -> Result:
-    """Results that a folder has, up to the first sample that is not there.
+    """Results that a folder has, up to the first sample that is not there, also while a run is writing to it.
 
     study: where it is none that comes with the package. Raises StudyError.
     """
     manifest = manifest_of(out)
     plan = Plan(study_of(study or manifest.get("study", "")), manifest.get("seed", 0), manifest["params"])
-    with _opened(out, plan) as folder:
-        samples = folder.missing(MAX_SAMPLES)[0].start
-        return Result(plan, folder.table(samples), Path(out))
+    folder = Folder(out, plan, writes=False)
+    return Result(plan, folder.table(folder.missing(MAX_SAMPLES)[0].start), Path(out))
 
 
 @contextmanager

@@ -66,6 +66,12 @@ def _measure(sample: Sample) -> Row:
     }
 
 
+def _plot(table: Any) -> Any:
+    from teeter.study.plot import sweep
+
+    return sweep(table, "policy", "out")
+
+
 _ABOUT = """\
 Removals of one block by scripted hands, episodes of Teeter/Extract-v0.
 
@@ -96,4 +102,5 @@ EXTRACTION = Study(
     },
     params={"policy": ("pull", "wiggle", "random"), "rows": 18},
     about=_ABOUT,
+    plot=_plot,
 )
