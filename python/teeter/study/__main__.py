@@ -48,7 +48,7 @@ def _run(options: argparse.Namespace) -> Result | Path:
     if options.name == DATASET:
         return dataset.build(options.out, episodes=options.samples, **_common(options))
     study = _imported(options.name) if ":" in options.name else study_of(options.name)
-    return run(study, options.out, samples=options.samples, batch=options.batch, **_common(options))
+    return run(study, options.out, samples=options.samples, **_common(options))
 
 
 def _common(options: argparse.Namespace) -> dict[str, Any]:
@@ -58,6 +58,7 @@ def _common(options: argparse.Namespace) -> dict[str, Any]:
         "executor": options.executor,
         "workers": options.workers,
         "address": options.address,
+        "batch": options.batch,
         "progress": not options.quiet,
     }
 

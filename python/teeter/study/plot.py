@@ -122,10 +122,10 @@ def drawn(study: Study, table: Any, swept: Sequence[str]) -> Any:
 def save(figure: Any, path: str | os.PathLike[str]) -> None:
     """Writes a figure to a file; equal figures give equal bytes. Raises StudyError."""
     matplotlib = needed("matplotlib", "study")
-    # Identifiers in SVG are hashed with the salt, and the date would be that of the clock. Texts as texts take a
-    # third of the bytes of their outlines.
+    # Identifiers in SVG are hashed with the salt, and the date would be that of the clock. Texts as texts, in one
+    # family, take a third of the bytes of their outlines.
     is_svg = str(path).endswith(".svg")
-    with matplotlib.rc_context({"svg.hashsalt": "teeter", "svg.fonttype": "none"}):
+    with matplotlib.rc_context({"svg.hashsalt": "teeter", "svg.fonttype": "none", "font.sans-serif": ["DejaVu Sans"]}):
         try:
             figure.savefig(path, dpi=110, metadata={"Date": None} if is_svg else None)
         except (OSError, ValueError) as error:
@@ -151,7 +151,7 @@ def _bars(
     ends = np.array([[line[f"{column}_low"], line[f"{column}_high"]] for _, line in points], np.float64).T
     # A single sample has no interval of its mean.
     reach = np.where(np.isfinite(ends), np.abs(ends - values), 0.0)
-    style: dict[str, Any] = {"fmt": "o", "ms": 4, "color": colour, "label": label, "lw": 1, "capsize": 2}
+    style: dict[str, Any] = {"fmt": "o", "ms": 4, "color": colour, "label": label, "lw": 1}
     if is_flat:
         axes.errorbar(values, positions, xerr=reach, **style)
     else:
