@@ -116,3 +116,11 @@ def test_a_wrong_executor_is_refused(arguments, field):
     with pytest.raises(teeter.StudyError) as caught:
         study.run(NUMBER, samples=1, **arguments)
     assert caught.value.field == field
+
+
+def test_a_cluster_that_is_not_reached_is_named(tmp_path):
+    if importlib.util.find_spec("distributed") is None:
+        pytest.skip("dask is not installed")
+    done = program("loose", "--out", tmp_path, "--executor=dask", "--address=nowhere", "--quiet")
+    assert done.returncode == 2
+    assert done.stderr.startswith("teeter: `address` is nowhere, where no cluster is reached")

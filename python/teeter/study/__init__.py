@@ -13,6 +13,7 @@ from __future__ import annotations
 
 from teeter.study.executor import Dask, Executor, Futures, Processes, Serial, Threads
 from teeter.study.interval import mean_interval, summary, wilson
+from teeter.study.ray_executor import Ray
 from teeter.study.runner import Result, load, run
 from teeter.study.sample import Plan, Row, Sample, Study, seed_of
 from teeter.study.shipped import STUDIES
@@ -24,6 +25,7 @@ __all__ = [
     "Futures",
     "Plan",
     "Processes",
+    "Ray",
     "Result",
     "Row",
     "Sample",

@@ -6,6 +6,7 @@ from typing import Any
 
 from teeter.study.interval import summary
 from teeter.study.runner import Result
+from teeter.study.shipped.extraction import MAX_STEPS
 
 __all__ = ["card"]
 
@@ -91,14 +92,14 @@ env = dataset.recover_environment()
 python -m teeter.study dataset --out DIR --samples {table.num_rows} --seed {identity["seed"]}{_settings(result)}
 ```
 
-makes the same values again, on any machine and with any executor. SHA-256 of all values of the study:
-`{result.digest}`.
+makes the same values again, with any executor. On another kind of processor NumPy may round the goal of a hand
+differently. SHA-256 of all values of the study: `{result.digest}`.
 
-A tower has the size of blocks of the dissertation of 2003, 81 by 26.8 by 18 mm; friction and the scatter of heights
+Blocks have the size of those of the dissertation of 2003, 81 by 26.8 by 18 mm; friction and the scatter of heights
 are drawn for each episode, uniformly. The block is drawn from those that the rules let a player take. `pull` draws it
-straight out at a speed of the episode, `wiggle` at half that speed and to and fro across, `random` moves by lot; the
-first two have noise with a standard deviation of a tenth of the largest action. An episode ends when the block is out,
-when a block fell, or after 160 steps.
+straight out at a speed of the episode, `wiggle` at half that speed and to and fro across, and `random` moves by lot;
+the first two have uniform noise of up to a fifth of the largest action. An episode ends when the block is out, when a
+block fell, or after {MAX_STEPS} steps.
 
 ## Limits
 

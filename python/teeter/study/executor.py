@@ -16,6 +16,7 @@ from typing import Any, Protocol
 
 from teeter.errors import StudyError, WorkerError
 from teeter.study.extra import needed
+from teeter.study.ray_executor import Ray
 from teeter.study.sample import checked_count
 
 __all__ = ["Dask", "Executor", "Futures", "Processes", "Serial", "Threads", "executor_of"]
@@ -176,7 +177,11 @@ class Dask(Futures):
             self._owned = [address]
         self.client = address
         if not isinstance(address, distributed.Client):
-            self.client = distributed.Client(address)
+            try:
+                self.client = distributed.Client(address)
+            except (OSError, ValueError) as error:
+                line = " ".join(str(error).split())
+                raise StudyError(f"`address` is {address}, where no cluster is reached: {line}", "address") from error
             self._owned.insert(0, self.client)
         lost = (distributed.scheduler.KilledWorker, futures.CancelledError)
         super().__init__(self.client.get_executor(pure=False), 1, lost)
@@ -228,8 +233,6 @@ def _named(name: str, workers: int | None, address: str | None) -> Executor:
     if name == "dask":
         return Dask(address, workers)
     if name == "ray":
-        from teeter.study.ray import Ray
-
         return Ray(address, workers)
     raise StudyError(f"`executor` is {name!r}, expected serial, threads, processes, dask or ray", "executor")
 

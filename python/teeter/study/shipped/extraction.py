@@ -14,17 +14,20 @@ __all__ = ["EXTRACTION", "MAX_STEPS"]
 
 #: Steps after which an episode is truncated.
 MAX_STEPS = 160
-#: Standard deviation of the noise of an action.
-NOISE = 0.1
+#: Largest noise of an action.
+NOISE = 0.2
+#: Steps of `wiggle` from one side to the other, and its reach.
+SWING, REACH = 3, 0.6
 
 
 def _action(policy: str, step: int, speed: float, rng: np.random.Generator) -> NDArray[np.float32]:
     """Action of a scripted hand: outwards, across, upwards."""
-    noise = rng.normal(0.0, NOISE, 3)
+    noise = rng.uniform(-NOISE, NOISE, 3)
     if policy == "random":
         chosen = rng.uniform(-1.0, 1.0, 3)
     elif policy == "wiggle":
-        chosen = np.array([0.5 * speed, 0.6 * np.sin(0.9 * step), 0.0]) + noise
+        side = REACH if step // SWING % 2 else -REACH
+        chosen = np.array([0.5 * speed, side, 0.0]) + noise
     else:
         chosen = np.array([speed, 0.0, 0.0]) + noise
     return np.clip(chosen, -1.0, 1.0).astype(np.float32)

@@ -32,11 +32,14 @@ class Ray:
         self._ray: Any = needed("ray", "ray")
         self._is_owner = not self._ray.is_initialized()
         if not self._is_owner and (address, workers) != (None, None):
-            raise StudyError(
-                "`address` and `workers` are for a cluster to be joined or started; Ray runs already", "ray"
-            )
+            raise StudyError("`address` or `workers` is given, expected none of them where Ray runs already", "address")
         if self._is_owner:
-            self._ray.init(log_to_driver=False, logging_level="warning", **_options(address, workers))
+            options = _options(address, workers)
+            try:
+                self._ray.init(log_to_driver=False, logging_level="warning", **options)
+            except (OSError, ValueError) as error:
+                line = " ".join(str(error).split())
+                raise StudyError(f"`address` is {address}, where no cluster is reached: {line}", "address") from error
         # The study itself sends again what was lost, so that each executor counts losses alike.
         self._call = self._ray.remote(max_retries=0)(_call)
 
@@ -84,7 +87,7 @@ def _options(address: str | None, workers: int | None) -> dict[str, Any]:
         "include_dashboard": False,
         "object_store_memory": OBJECT_MEMORY,
         # Workers import what this process can import.
-        "runtime_env": {"env_vars": {"PYTHONPATH": os.pathsep.join(path for path in sys.path if path)}},
+        "runtime_env": {"env_vars": {"PYTHONPATH": os.pathsep.join(map(os.path.abspath, sys.path))}},
     }
     if workers is not None:
         options["num_cpus"] = checked_count("workers", workers, 1, 1024)
