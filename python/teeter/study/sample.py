@@ -36,7 +36,7 @@ KINDS: dict[str, tuple[type, ...]] = {
     "floats": (list, tuple, np.ndarray),
 }
 #: Largest seed of a study, and number of samples that it may have.
-MAX_SEED, MAX_SAMPLES = 2**63 - 1, 10**12
+MAX_SEED, MAX_SAMPLES = 2**63 - 1, 10**12 - 1
 
 
 def seed_of(master: int, index: int) -> int:
