@@ -72,7 +72,7 @@ def test_solo_ends_with_a_fall():
     env.reset(seed=1)
     terminated, steps = False, 0
     while not terminated and steps < 40:
-        mask = env.unwrapped._info()["action_mask"]
+        mask = env.unwrapped._mask()
         # always from the lowest row: a tower on one edge falls
         _, reward, terminated, _, info = env.step(int(np.flatnonzero(mask)[0]))
         steps += 1
