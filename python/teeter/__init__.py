@@ -32,7 +32,6 @@ from teeter.errors import (
     BodyError,
     CommandError,
     InputError,
-    PackageError,
     ParamError,
     RecordError,
     RulesError,
@@ -40,6 +39,7 @@ from teeter.errors import (
     SnapshotError,
     StudyError,
     TeeterError,
+    UnavailableError,
     WorkerError,
 )
 from teeter.inputs import Drive, Force, Hand
@@ -58,7 +58,6 @@ __all__ = [
     "InputError",
     "Loads",
     "Opponent",
-    "PackageError",
     "ParamError",
     "Record",
     "RecordError",
@@ -69,6 +68,7 @@ __all__ = [
     "StepReport",
     "StudyError",
     "TeeterError",
+    "UnavailableError",
     "WorkerError",
     "World",
     "WorldBatch",

@@ -4,17 +4,17 @@ Each has a message of one line that says which block or field, its value, and wh
 ``field`` is the name of that field, None where there is none::
 
     TeeterError
-      SceneError     (ValueError)   a scene that cannot be read or simulated
-      ParamError     (ValueError)   constants of a run
-      InputError     (ValueError)   an argument, or a part of a step's input
-      BodyError      (IndexError)   the index of a body that does not exist
-      SnapshotError  (ValueError)   bytes that are no state of this world or game
-      RulesError     (ValueError)   rules that cannot be played
-      CommandError   (ValueError)   what is no command of a game
-      RecordError    (ValueError)   bytes that are no record, or one that cannot be replayed
-      StudyError     (ValueError)   a study, its parameters or its folder; a sample that failed
-      WorkerError    (RuntimeError) a worker of a study that ended before its samples were done
-      PackageError   (ImportError)  a package that a part of this one needs is not installed
+      SceneError       (ValueError)   a scene that cannot be read or simulated
+      ParamError       (ValueError)   constants of a run
+      InputError       (ValueError)   an argument, or a part of a step's input
+      BodyError        (IndexError)   the index of a body that does not exist
+      SnapshotError    (ValueError)   bytes that are no state of this world or game
+      RulesError       (ValueError)   rules that cannot be played
+      CommandError     (ValueError)   what is no command of a game
+      RecordError      (ValueError)   bytes that are no record, or one that cannot be replayed
+      StudyError       (ValueError)   a study, its parameters or its folder; a sample that failed
+      WorkerError      (RuntimeError) a worker of a study that ended before its samples were done
+      UnavailableError (RuntimeError) a part of the package that was not installed or built
 """
 
 from __future__ import annotations
@@ -23,7 +23,6 @@ __all__ = [
     "BodyError",
     "CommandError",
     "InputError",
-    "PackageError",
     "ParamError",
     "RecordError",
     "RulesError",
@@ -31,6 +30,7 @@ __all__ = [
     "SnapshotError",
     "StudyError",
     "TeeterError",
+    "UnavailableError",
     "WorkerError",
 ]
 
@@ -86,5 +86,5 @@ class WorkerError(TeeterError, RuntimeError):
     """Worker of a study that ended before its samples were done."""
 
 
-class PackageError(TeeterError, ImportError):
-    """Package that a part of this one needs, and that is not installed."""
+class UnavailableError(TeeterError, RuntimeError):
+    """Part of the package that was not installed or built. The message has the command to run."""

@@ -39,7 +39,7 @@ def build(
     their number, ten of each policy by default. seed, params and kwargs are those of teeter.study.run.
 
     ``removals.parquet`` has a row an episode, ``steps.parquet`` a row a step, and ``minari`` the data set
-    ``teeter/removals-v0``, for MINARI_DATASETS_PATH. Raises StudyError or PackageError.
+    ``teeter/removals-v0``, for MINARI_DATASETS_PATH. Raises StudyError or UnavailableError.
     """
     path = Path(out)
     needed("minari", "minari")

@@ -202,7 +202,7 @@ def executor_of(executor: Any, workers: int | None = None, address: str | None =
 
     workers, address: of the executors that are given by their names.
 
-    Raises StudyError, or PackageError where a package is not installed.
+    Raises StudyError, or UnavailableError where a package is not installed.
     """
     if isinstance(executor, str):
         return _named(executor, workers, address)

@@ -85,7 +85,7 @@ def run(
     progress: True for a bar on the standard error. Neither of the last five changes a row.
 
     Raises StudyError for wrong arguments, a folder of another study, a damaged one, or a sample that fails;
-    WorkerError where a batch lost its worker four times; PackageError where a package is not installed.
+    WorkerError where a batch lost its worker four times; UnavailableError where a package is not installed.
     """
     plan = Plan(study_of(study), seed, params)
     number = 10 * len(plan.cells) if samples is None else checked_count("samples", samples, 1, MAX_SAMPLES)
