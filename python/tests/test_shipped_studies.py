@@ -43,7 +43,7 @@ def test_a_study_is_a_pure_function_of_its_sample(name):
 def test_a_removal_by_hand_agrees_with_statics_where_statics_is_sure():
     # Without its middle block the lower row of (010) would bear nothing; a full row bears with two.
     plan = study.Plan(study.STUDIES["removal"], params={"rows": 3})
-    assert plan.cells[-1]["block"] == 8
+    assert plan.combinations[-1]["block"] == 8
     result = study.run("removal", samples=18, seed=1, params={"rows": 3, "hand": "none"})
     rows = result.table.to_pylist()
     assert [row["block"] for row in rows] == [*range(9), *range(9)]

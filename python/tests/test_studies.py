@@ -48,11 +48,11 @@ def test_a_row_is_the_same_in_any_order(master, order):
     assert all(again.row(index) == rows[index] for index in sorted(order))
 
 
-def test_the_first_samples_are_balanced_over_the_cells():
+def test_the_first_samples_are_balanced_over_the_sweep():
     plan = study.Plan(NUMBER, params={"a": [1, 2], "b": [0.1, 0.2, 0.3]})
-    cells = [tuple(plan.sample(i).params.values()) for i in range(12)]
-    assert len(set(cells[:6])) == 6
-    assert cells[:6] == cells[6:]
+    combinations = [tuple(plan.sample(i).params.values()) for i in range(12)]
+    assert len(set(combinations[:6])) == 6
+    assert combinations[:6] == combinations[6:]
 
 
 class StopError(Exception):
@@ -402,7 +402,7 @@ def test_intervals_hold_the_truth_as_often_as_they_say():
         assert 0.92 < share < 0.99, chance
 
 
-def test_a_summary_is_of_each_cell():
+def test_a_summary_is_of_each_combination():
     result = study.run(NUMBER, samples=30)
     lines = result.summary()
     assert [line["a"] for line in lines] == [1, 2, 3]

@@ -72,11 +72,11 @@ def _print(result: Result, options: argparse.Namespace) -> None:
     else:
         numbers = [name for name, kind in plan.study.columns.items() if kind in ("bool", "int", "float")]
         for line in lines:
-            cell = " ".join(f"{name}={line[name]}" for name in plan.swept)
+            swept = " ".join(f"{name}={line[name]}" for name in plan.swept)
             shares = ", ".join(
                 f"{name} {line[name]:.4g} ({line[f'{name}_low']:.3g} to {line[f'{name}_high']:.3g})" for name in numbers
             )
-            print(f"{cell or plan.study.name}: {line['samples']} samples, {shares}")
+            print(f"{swept or plan.study.name}: {line['samples']} samples, {shares}")
         print(f"{result.table.num_rows} samples, digest {result.digest[:16]}")
     if options.plot is not None:
         result.plot(options.plot)
@@ -121,7 +121,7 @@ def _parser() -> argparse.ArgumentParser:
     )
     parser.add_argument("name", help=f"{', '.join(STUDIES)}, {DATASET}, or module:attribute of a Study")
     parser.add_argument("--out", type=Path, required=True, help="folder of the results")
-    parser.add_argument("--samples", type=int, help="number of samples; ten of each cell of the sweep by default")
+    parser.add_argument("--samples", type=int, help="number of samples; ten of each combination of values by default")
     parser.add_argument("--seed", type=int, default=0, help="master seed")
     parser.add_argument("--set", action="append", default=[], metavar="NAME=VALUE", help="a parameter; a,b,c is swept")
     parser.add_argument("--executor", default="processes", help="serial, threads, processes, dask or ray")

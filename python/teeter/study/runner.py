@@ -49,7 +49,7 @@ class Result:
         return table_digest(self.table)
 
     def summary(self) -> list[dict[str, Any]]:
-        """Shares and means of each cell of the sweep with their intervals of 95 %, see teeter.study.summary."""
+        """Shares and means of each combination of values with their intervals of 95 %, see teeter.study.summary."""
         columns = [name for name, kind in self.plan.study.columns.items() if kind in ("bool", "int", "float")]
         return summary(self.table, self.plan.swept, columns)
 
@@ -77,8 +77,8 @@ def run(
     """Runs a study and returns its results. Samples that the folder has already are not computed again.
 
     study: the name of one that comes with the package, or a Study. out: folder of the results, made where it
-    is absent; None for results in memory alone. samples: their number; ten of each cell of the sweep by
-    default. seed: master seed. params: values that replace the defaults of the study; a list is swept.
+    is absent; None for results in memory alone. samples: their number; ten of each combination of
+    values by default. seed: master seed. params: values that replace the defaults of the study; a list is swept.
     executor: "serial", "threads", "processes", "dask", "ray", an Executor, an executor of
     ``concurrent.futures`` or a client of Dask. workers: their number, one a core by default. address: of a
     cluster of Dask or Ray. batch: samples a call; by default as many as take 2 s, more in a long study.
@@ -88,7 +88,7 @@ def run(
     WorkerError where a batch lost its worker four times; UnavailableError where a package is not installed.
     """
     plan = Plan(study_of(study), seed, params)
-    number = 10 * len(plan.cells) if samples is None else checked_count("samples", samples, 1, MAX_SAMPLES)
+    number = 10 * len(plan.combinations) if samples is None else checked_count("samples", samples, 1, MAX_SAMPLES)
     if batch is not None:
         checked_count("batch", batch, 1, MAX_SAMPLES)
     with _opened(out, plan) as folder:

@@ -20,10 +20,10 @@ import numpy as np
 from teeter import __version__
 from teeter.errors import StudyError
 
-__all__ = ["Cell", "Plan", "Row", "Sample", "Scalar", "Study", "seed_of"]
+__all__ = ["Params", "Plan", "Row", "Sample", "Scalar", "Study", "seed_of"]
 
 Scalar: TypeAlias = bool | int | float | str
-Cell: TypeAlias = Mapping[str, Any]
+Params: TypeAlias = Mapping[str, Any]
 Row: TypeAlias = Mapping[str, Any]
 Kind: TypeAlias = Literal["bool", "int", "float", "str", "floats"]
 
@@ -55,7 +55,7 @@ class Sample:
 
     index: int
     seed: int
-    params: Cell
+    params: Params
 
     def rng(self) -> np.random.Generator:
         """Random numbers of the sample."""
@@ -68,10 +68,10 @@ class Study:
 
     name: lower case letters, digits and hyphens. measure: takes a Sample and returns a dict with a value for
     each of ``columns``, or None. columns: name and kind of each: "bool", "int", "float", "str" or "floats", a
-    list of numbers. params: default of each parameter, a scalar; a tuple is swept, one cell of the sweep a
-    sample; a function is called with the other parameters and returns one of both. version: to be raised
-    where ``measure`` changes, so that old results are not mixed with new ones. about: a line on it, and one on
-    each parameter and column. plot: draws a table of results.
+    list of numbers. params: default of each parameter, a scalar; a tuple is swept, one combination of values a
+    sample; a function is called with the other parameters and returns one of both. version: to be raised where
+    ``measure`` changes, so that old results are not mixed with new ones. about: a line on it, and one on each
+    parameter and column. plot: draws a table of results.
     """
 
     name: str
@@ -113,11 +113,13 @@ class Plan:
         self.params = _merged(study, params or {})
         self.swept = [name for name, value in self.params.items() if isinstance(value, tuple)]
         values = [value if isinstance(value, tuple) else (value,) for value in self.params.values()]
-        self.cells: list[Cell] = [dict(zip(self.params, cell, strict=True)) for cell in itertools.product(*values)]
+        self.combinations: list[Params] = [
+            dict(zip(self.params, combination, strict=True)) for combination in itertools.product(*values)
+        ]
 
     def sample(self, index: int) -> Sample:
-        """Sample of an index, from 0. Sample i is of cell i mod n, so any first samples are balanced."""
-        return Sample(index, seed_of(self.seed, index), self.cells[index % len(self.cells)])
+        """Sample of an index, from 0. Sample i has combination i mod n, so any first samples are balanced."""
+        return Sample(index, seed_of(self.seed, index), self.combinations[index % len(self.combinations)])
 
     def row(self, index: int) -> list[Any]:
         """Values of the row of a sample, in the order of ``kinds``. Raises StudyError at a wrong row."""
@@ -141,7 +143,7 @@ class Plan:
     def kinds(self) -> dict[str, str]:
         """Kind of each column of a table: index, seed, parameters, and what is measured."""
         kind = {bool: "bool", int: "int", float: "float", str: "str"}
-        params = {name: kind[type(self.cells[0][name])] for name in self.params}
+        params = {name: kind[type(self.combinations[0][name])] for name in self.params}
         return {"index": "int", "seed": "int", **params, **self.study.columns}
 
     def identity(self) -> dict[str, Any]:

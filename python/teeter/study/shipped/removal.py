@@ -7,12 +7,12 @@ from typing import Any
 from teeter import Game, remove
 from teeter.errors import StudyError
 from teeter.scenes import tower
-from teeter.study.sample import Cell, Row, Sample, Study
+from teeter.study.sample import Params, Row, Sample, Study
 
 __all__ = ["REMOVAL"]
 
 
-def _blocks(params: Cell) -> range:
+def _blocks(params: Params) -> range:
     """Blocks of a tower of so many rows."""
     rows = params["rows"]
     if not isinstance(rows, int) or not 3 <= rows <= 40:
