@@ -15,6 +15,16 @@ Each has a message of one line that says which block or field, its value, and wh
       StudyError       (ValueError)   a study, its parameters or its folder; a sample that failed
       WorkerError      (RuntimeError) a worker of a study that ended before its samples were done
       UnavailableError (RuntimeError) a part of the package that was not installed or built
+      SceneError     (ValueError)   a scene that cannot be read or simulated
+      ParamError     (ValueError)   constants of a run
+      InputError     (ValueError)   an argument, or a part of a step's input
+      BodyError      (IndexError)   the index of a body that does not exist
+      SnapshotError  (ValueError)   bytes that are no state of this world or game
+      RulesError     (ValueError)   rules that cannot be played
+      CommandError   (ValueError)   what is no command of a game
+      RecordError    (ValueError)   bytes that are no record, or one that cannot be replayed
+      InterchangeError (ValueError) a file of another program that has no counterpart here
+      EngineError    (RuntimeError) an engine of the benchmark that is absent or breaks its protocol
 """
 
 from __future__ import annotations
@@ -22,7 +32,9 @@ from __future__ import annotations
 __all__ = [
     "BodyError",
     "CommandError",
+    "EngineError",
     "InputError",
+    "InterchangeError",
     "ParamError",
     "RecordError",
     "RulesError",
@@ -88,3 +100,19 @@ class WorkerError(TeeterError, RuntimeError):
 
 class UnavailableError(TeeterError, RuntimeError):
     """Part of the package that was not installed or built. The message has the command to run."""
+class InterchangeError(TeeterError, ValueError):
+    """File of another program, or part of it, that cannot be read or has no counterpart here.
+
+    ``field``: name of the element or attribute. ``line``: its line in the file, from 1, or None.
+    """
+
+    def __init__(self, message: str, field: str | None = None, line: int | None = None) -> None:
+        super().__init__(message, field)
+        self.line = line
+
+    def __reduce__(self) -> tuple[type[TeeterError], tuple[str, str | None, int | None]]:  # type: ignore[override]
+        return type(self), (str(self.args[0]), self.field, self.line)
+
+
+class EngineError(TeeterError, RuntimeError):
+    """Engine of the benchmark that is absent, fails or breaks its protocol."""

@@ -16,6 +16,7 @@ mod record;
 mod report;
 mod rollout;
 mod scene;
+mod statics;
 mod twist;
 mod world;
 
@@ -42,6 +43,8 @@ mod _teeter {
     use crate::rollout::Rollout;
     #[pymodule_export]
     use crate::scene::{cards, config, field, load, named, names, tower};
+    #[pymodule_export]
+    use crate::statics::{Footing, exact_fall, exact_forces, exact_tilt, labelled_towers, tilted_towers};
     #[pymodule_export]
     use crate::world::World;
 

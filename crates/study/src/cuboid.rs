@@ -34,11 +34,14 @@ impl Cuboid {
         world.bodies().map(|body| Self::of(world, body)).collect()
     }
 
+    /// Rigid block of a size (m) in a pose.
+    pub fn posed(size: DVec3, center: DVec3, orientation: DQuat) -> Self {
+        Self { center, half_edges: DMat3::from_quat(orientation) * DMat3::from_diagonal(0.5 * size) }
+    }
+
     /// Block of a scene.
     pub fn of_block(block: &Block) -> Self {
-        let half = DMat3::from_diagonal(0.5 * DVec3::from(block.size));
-        let turn = DQuat::from_array(block.rotation());
-        Self { center: block.pos.into(), half_edges: DMat3::from_quat(turn) * half }
+        Self::posed(block.size.into(), block.pos.into(), DQuat::from_array(block.rotation()))
     }
 
     /// Block of a world.
@@ -50,8 +53,7 @@ impl Cuboid {
             return Self::from_points(&lattice.particles, world.scene().springs.particles.inset());
         }
         let pose = world.pose(body);
-        let half = DMat3::from_diagonal(0.5 * world.size(body));
-        Self { center: pose.position, half_edges: DMat3::from_quat(pose.orientation) * half }
+        Self::posed(world.size(body), pose.position, pose.orientation)
     }
 
     /// Cuboid of eight points at `offset` from the centre along each axis, over half the edge: 1

@@ -214,32 +214,50 @@ impl Footing {
 
     /// Returns true if any block has fallen.
     pub fn any_fallen(&self, world: &World) -> bool {
-        self.any(world, |_| false, Self::has_fallen)
+        self.any_fallen_of(&Cuboid::all(world))
+    }
+
+    /// Returns true if any block has fallen: the blocks as they are now, also those of another
+    /// engine.
+    ///
+    /// # Panics
+    /// When there are not as many blocks as in the footing.
+    pub fn any_fallen_of(&self, now: &[Cuboid]) -> bool {
+        self.any(now, |_| false, Self::has_fallen)
     }
 
     /// Returns true if any block but `body` has fallen, which a hand has taken.
     pub fn any_fallen_except(&self, world: &World, body: BodyId) -> bool {
-        self.any(world, |other| other == body, Self::has_fallen)
+        self.any(&Cuboid::all(world), |other| other == body, Self::has_fallen)
     }
 
     /// Returns true if any block has fallen, or slid on its bearers by more than a share of
     /// a height: on a floor that is tilted a tower collapses in both manners.
     pub fn any_fallen_or_slid(&self, world: &World) -> bool {
+        self.any_fallen_or_slid_of(&Cuboid::all(world))
+    }
+
+    /// Returns true if any block has fallen or slid, as [`Footing::any_fallen_or_slid`]: the blocks
+    /// as they are now, also those of another engine.
+    ///
+    /// # Panics
+    /// When there are not as many blocks as in the footing.
+    pub fn any_fallen_or_slid_of(&self, now: &[Cuboid]) -> bool {
         let has_moved = |footing: &Self, body: usize, now: &[Cuboid], gone: &[bool]| {
             footing.has_fallen(body, now, gone) || footing.has_slid(body, now, gone)
         };
-        self.any(world, |_| false, has_moved)
+        self.any(now, |_| false, has_moved)
     }
 
     fn any(
         &self,
-        world: &World,
+        now: &[Cuboid],
         absent: impl Fn(BodyId) -> bool,
         is_sign: impl Fn(&Self, usize, &[Cuboid], &[bool]) -> bool,
     ) -> bool {
-        let now = Cuboid::all(world);
-        let gone: Vec<bool> = world.bodies().map(absent).collect();
-        (0..self.len()).any(|body| !gone[body] && is_sign(self, body, &now, &gone))
+        assert_eq!(now.len(), self.len(), "a footing is of as many blocks");
+        let gone: Vec<bool> = (0..now.len() as u32).map(BodyId).map(absent).collect();
+        (0..self.len()).any(|body| !gone[body] && is_sign(self, body, now, &gone))
     }
 
     fn has_fallen(&self, body: usize, now: &[Cuboid], gone: &[bool]) -> bool {

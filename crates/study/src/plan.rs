@@ -87,29 +87,55 @@ pub fn overlap(a: &Block, b: &Block) -> Vec<DVec2> {
     let mut region = corners(a);
     let edges = corners(b);
     for (i, &start) in edges.iter().enumerate() {
-        let along = edges[(i + 1) % edges.len()] - start;
-        let inside = |p: DVec2| along.perp_dot(p - start);
-        let mut next: Vec<DVec2> = Vec::new();
-        for (j, &to) in region.iter().enumerate() {
-            let from = region[(j + region.len() - 1) % region.len()];
-            let (d0, d1) = (inside(from), inside(to));
-            if (d0 >= 0.0) != (d1 >= 0.0) {
-                next.push(from + (to - from) * (d0 / (d0 - d1)));
-            }
-            if d1 >= 0.0 {
-                next.push(to);
-            }
-        }
-        region = next;
+        region = clipped(&region, start, edges[(i + 1) % edges.len()] - start);
     }
+    without_slivers(region)
+}
+
+/// Part of a region to the left of the line through `start` along `along`.
+fn clipped(region: &[DVec2], start: DVec2, along: DVec2) -> Vec<DVec2> {
+    let inside = |p: DVec2| along.perp_dot(p - start);
+    let mut next: Vec<DVec2> = Vec::new();
+    for (j, &to) in region.iter().enumerate() {
+        let from = region[(j + region.len() - 1) % region.len()];
+        let (d0, d1) = (inside(from), inside(to));
+        if (d0 >= 0.0) != (d1 >= 0.0) {
+            next.push(from + (to - from) * (d0 / (d0 - d1)));
+        }
+        if d1 >= 0.0 {
+            next.push(to);
+        }
+    }
+    next
+}
+
+/// Region with corners that are apart; empty where blocks only touch along an edge.
+fn without_slivers(region: Vec<DVec2>) -> Vec<DVec2> {
     let mut merged: Vec<DVec2> = Vec::new();
     for corner in region {
         if merged.iter().all(|p| p.distance(corner) > MERGE) {
             merged.push(corner);
         }
     }
-    // blocks that touch along an edge leave a sliver
     if merged.len() < 3 || area(&merged) < MERGE * MERGE { Vec::new() } else { merged }
+}
+
+/// Convex polygon (anticlockwise) with each edge moved inwards by `distance`, m; outwards where
+/// that is negative. Empty where nothing is left.
+pub fn inset(polygon: &[DVec2], distance: f64) -> Vec<DVec2> {
+    let n = polygon.len();
+    let edge = |i: usize| polygon[(i + 1) % n] - polygon[i];
+    let inward = |i: usize| edge(i).normalize_or_zero().perp();
+    if distance < 0.0 {
+        // corners of the moved edges, each next to the one before
+        let corner = |i: usize| {
+            let (before, after) = (inward((i + n - 1) % n), inward(i));
+            polygon[i] + (before + after) * (distance / (1.0 + before.dot(after)))
+        };
+        return (0..n).map(corner).collect();
+    }
+    let move_in = |region: Vec<DVec2>, i: usize| clipped(&region, polygon[i] + inward(i) * distance, edge(i));
+    without_slivers((0..n).fold(polygon.to_vec(), move_in))
 }
 
 /// Area of a polygon, m².
@@ -202,6 +228,20 @@ mod tests {
             .count();
         let counted = inside as f64 * 0.01 / (n * n) as f64;
         assert!((area(&region) / counted - 1.0).abs() < 2e-3, "{} and {counted}", area(&region));
+    }
+
+    #[test]
+    fn an_inset_moves_each_edge_by_its_distance() {
+        let square = [[0.0, 0.0], [2.0, 0.0], [2.0, 1.0], [0.0, 1.0]].map(DVec2::from);
+        for distance in [0.1, -0.1] {
+            let moved = inset(&square, distance);
+            assert_eq!(moved.len(), 4);
+            assert!((area(&moved) - (2.0 - 2.0 * distance) * (1.0 - 2.0 * distance)).abs() < 1e-12);
+        }
+        assert!(inset(&square, 0.5).is_empty());
+        // a short edge vanishes: the triangle without a corner becomes a triangle
+        let cut = [[0.0, 0.0], [1.0, 0.0], [1.0, 0.05], [0.05, 1.0], [0.0, 1.0]].map(DVec2::from);
+        assert_eq!(inset(&cut, 0.2).len(), 3);
     }
 
     #[test]

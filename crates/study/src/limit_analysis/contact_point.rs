@@ -4,7 +4,7 @@ use glam::DVec2;
 use teeter_scene::Block;
 
 use super::program::UNIT;
-use crate::plan::{area, bottom, center, corners, overlap, top};
+use crate::plan::{area, bottom, center, corners, inset, overlap, top};
 use crate::torsion::torsion_ratio;
 
 /// Vertical distance within which two blocks may touch, m.
@@ -46,8 +46,9 @@ impl ContactPoint {
     }
 }
 
-/// Returns every point at which blocks may touch, region after region.
-pub(super) fn contact_points(blocks: &[Block]) -> Vec<ContactPoint> {
+/// Returns every point at which blocks may touch, region after region. The edges of the regions are
+/// moved inwards by `distance`, m.
+pub(super) fn contact_points(blocks: &[Block], distance: f64) -> Vec<ContactPoint> {
     let mut points = Vec::new();
     let mut regions = 0;
     for (above, block) in blocks.iter().enumerate() {
@@ -59,6 +60,7 @@ pub(super) fn contact_points(blocks: &[Block]) -> Vec<ContactPoint> {
                 Some(other) => (overlap(block, other), top(other)),
                 None => (corners(block), 0.0),
             };
+            let polygon = if distance == 0.0 || polygon.is_empty() { polygon } else { inset(&polygon, distance) };
             if polygon.is_empty() {
                 continue;
             }

@@ -15,14 +15,13 @@ use crate::stiff_limit::{self, Spring};
 const COMPRESSION: f64 = 0.05;
 
 /// Gap up to which a block stands on the floor, m.
-const MAX_GAP: f64 = 2e-5;
+pub(super) const MAX_GAP: f64 = 2e-5;
 
-/// Returns the points at which blocks may touch, and the minimum work of forces that hold every
-/// block in equilibrium, J.
+/// Checks that no block is tilted, or fixed in the air.
 ///
 /// # Errors
-/// When a block is tilted or fixed in the air, no forces do so, or the solver gives up.
-pub(super) fn equilibrium(scene: &Scene) -> Result<(Vec<ContactPoint>, f64), LimitError> {
+/// Names the first one that is.
+pub(super) fn require_upright(scene: &Scene) -> Result<(), LimitError> {
     for block in &scene.blocks {
         // On the floor a fixed block bears its load as one that can move does.
         let hangs = block.fixed && bottom(block) > MAX_GAP;
@@ -31,7 +30,17 @@ pub(super) fn equilibrium(scene: &Scene) -> Result<(Vec<ContactPoint>, f64), Lim
             return Err(LimitError::Unsuitable { id: block.id, state });
         }
     }
-    let points = contact_points(&scene.blocks);
+    Ok(())
+}
+
+/// Returns the points at which blocks may touch, and the minimum work of forces that hold every
+/// block in equilibrium, J. The edges of support are moved inwards by `inset`, m.
+///
+/// # Errors
+/// When a block is tilted or fixed in the air, no forces do so, or the solver gives up.
+pub(super) fn equilibrium(scene: &Scene, inset: f64) -> Result<(Vec<ContactPoint>, f64), LimitError> {
+    require_upright(scene)?;
+    let points = contact_points(&scene.blocks, inset);
     let mut problem = Problem::new(OptimizationDirection::Minimize);
     let forces: Vec<Variable> = points.iter().map(|p| problem.add_var(p.gap / UNIT, (0.0, f64::INFINITY))).collect();
     let mut rows = balance_rows(scene.blocks.len());

@@ -19,6 +19,10 @@
 //! the resultant of weight and pull passes within the hull of the loaded corners. Beyond that they
 //! rock, until loose blocks bear as well.
 //!
+//! *Tilt.* On a floor that is tilted, friction at each point holds the blocks as well. The largest
+//! tangent of the tilt for which forces within the friction cones hold every block is one linear
+//! programme. It is exact where blocks topple, and an upper bound where they slide (Drucker 1954).
+//!
 //! Where nothing lies on a block, or nothing can turn, the first two agree; if the tower does not
 //! tip before, the force is exact. Elsewhere all are bounds: friction tilts blocks, which shifts
 //! normal forces, and stores forces while the tower settles.
@@ -27,6 +31,8 @@ mod breakaway;
 mod contact_point;
 mod equilibrium;
 mod error;
+mod frictional;
+mod margin;
 mod patch;
 mod program;
 #[cfg(test)]

@@ -40,7 +40,7 @@ impl<'a> RigidTower<'a> {
     /// When a block is tilted or fixed in the air, rigid blocks cannot rest like this, or the
     /// solver gives up.
     pub fn new(scene: &'a Scene) -> Result<Self, LimitError> {
-        let (points, work) = equilibrium(scene)?;
+        let (points, work) = equilibrium(scene, 0.0)?;
         let forces = spring_forces(scene, &points, stiff_limit::RIGID).ok_or(LimitError::Unsolved)?;
         Ok(Self { scene, points, forces, work })
     }
@@ -61,7 +61,7 @@ impl<'a> RigidTower<'a> {
     /// # Errors
     /// When it cannot, a block is tilted or fixed in the air, or the solver gives up.
     pub fn stands(scene: &Scene) -> Result<(), LimitError> {
-        equilibrium(scene).map(|_| ())
+        equilibrium(scene, 0.0).map(|_| ())
     }
 
     /// Returns true if rigid blocks cannot rest as in `scene`; none where there is no exact answer.

@@ -5,17 +5,16 @@ use teeter_study::{Prediction, par_map, predict};
 
 use crate::error::Error;
 use crate::output::progress;
-use crate::score::{self, Labelled};
+use crate::score::{Labelled, OracleSet};
 use crate::validation::section::Section;
 use crate::validation::size::{Size, params};
 
-const CONFIG: &[u8] = include_bytes!("../../../../../data/oracle/config.jsonl.gz");
 /// Margin from which on a label counts as clear, mm.
 const CLEAR_MARGIN: f64 = 0.1;
 
-/// Returns every `step`-th tower of a compressed file of the program.
-pub fn towers(size: &Size, packed: &'static [u8], step: usize) -> Result<Vec<Labelled>, Error> {
-    let all = score::read(packed, "a file of the program")?;
+/// Returns every `step`-th tower of a set of the program.
+pub fn towers(size: &Size, set: OracleSet, step: usize) -> Result<Vec<Labelled>, Error> {
+    let all = set.towers()?;
     Ok(all.into_iter().step_by(step).map(|t| Labelled { scene: size.with_form(t.scene), ..t }).collect())
 }
 
@@ -33,7 +32,7 @@ pub fn predictions(towers: &[Labelled]) -> Result<Vec<Prediction>, Error> {
 
 /// Compares predictions with labels.
 pub fn measure(size: &Size) -> Result<Section, Error> {
-    let towers = towers(size, CONFIG, if size.quick { 40 } else { 1 })?;
+    let towers = towers(size, OracleSet::Config, if size.quick { 40 } else { 1 })?;
     let predictions = predictions(&towers)?;
     let mut section = Section::new(
         "labelled",

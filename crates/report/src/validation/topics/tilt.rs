@@ -6,17 +6,17 @@ use teeter_study::Prediction;
 use super::labelled::{predictions, towers};
 use crate::chart::{Axis, Chart, Series};
 use crate::error::Error;
+use crate::score::OracleSet;
 use crate::statistics::quantile;
 use crate::validation::section::Section;
 use crate::validation::size::Size;
 
-const TILT: &[u8] = include_bytes!("../../../../../data/oracle/tilt.jsonl.gz");
 /// Angle of a tower that stands at all angles tried, degrees: the largest of them.
 const NEVER_FELL: f64 = 60.0;
 
 /// Compares collapse angles with limit analysis.
 pub fn measure(size: &Size) -> Result<Section, Error> {
-    let towers = towers(size, TILT, if size.quick { 10 } else { 1 })?;
+    let towers = towers(size, OracleSet::Tilt, if size.quick { 10 } else { 1 })?;
     let predictions = predictions(&towers)?;
     let mut section = Section::new(
         "tilt",

@@ -1,0 +1,60 @@
+//! Margin of a tower: by how much its edges of support may be wrong.
+
+use teeter_scene::Scene;
+
+use super::equilibrium::{equilibrium, require_upright};
+use super::error::LimitError;
+use super::frictional::rests;
+use super::tower::RigidTower;
+
+/// Largest margin, m: three quarters of the width of a nominal block.
+const MAX_MARGIN: f64 = 0.02;
+/// Bisections of a margin: 20 mm become 0.3 um.
+const BISECTIONS: usize = 16;
+
+impl RigidTower<'_> {
+    /// Returns by how much every edge of support may be wrong before the verdict of statics
+    /// changes, m: positive for a tower that stands, negative for one that falls, 0.02 in amount at
+    /// most.
+    ///
+    /// # Errors
+    /// When a block is tilted or fixed in the air, or the solver gives up.
+    ///
+    /// ```
+    /// # use teeter_study::RigidTower;
+    /// let column = teeter_scene::named("column").unwrap();
+    /// // the narrower edge of the base is 26.8 mm long
+    /// assert!((RigidTower::margin(&column)? - 0.0134).abs() < 1e-6);
+    /// assert!(RigidTower::margin(&teeter_scene::named("test-4").unwrap())? < 0.0);
+    /// # Ok::<(), teeter_study::LimitError>(())
+    /// ```
+    pub fn margin(scene: &Scene) -> Result<f64, LimitError> {
+        let sign = if stands(scene, 0.0)? { 1.0 } else { -1.0 };
+        let (mut same, mut other) = (0.0, MAX_MARGIN);
+        for _ in 0..BISECTIONS {
+            let middle = 0.5 * (same + other);
+            let is_same = stands(scene, sign * middle)? == (sign > 0.0);
+            if is_same { same = middle } else { other = middle }
+        }
+        Ok(sign * 0.5 * (same + other))
+    }
+
+    /// Returns true if normal forces and friction together hold every block, on edges of support
+    /// moved inwards by `inset`, m. The equilibrium of [`RigidTower::stands`] needs no friction.
+    ///
+    /// # Errors
+    /// When a block is tilted or fixed in the air, or the solver gives up.
+    pub fn rests_by_friction(scene: &Scene, inset: f64) -> Result<bool, LimitError> {
+        require_upright(scene)?;
+        rests(scene, inset)
+    }
+}
+
+/// Returns true if the tower can rest on edges moved inwards by `inset`, m.
+fn stands(scene: &Scene, inset: f64) -> Result<bool, LimitError> {
+    match equilibrium(scene, inset) {
+        Ok(_) => Ok(true),
+        Err(LimitError::NoEquilibrium) => Ok(false),
+        Err(error) => Err(error),
+    }
+}
