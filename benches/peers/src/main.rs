@@ -7,13 +7,10 @@
 )]
 
 mod box3d;
-mod clock;
-mod engine;
 mod entries;
 mod error;
 mod measure;
 mod plot;
-mod rapier;
 mod report;
 mod teeter;
 
@@ -22,6 +19,7 @@ use std::process::ExitCode;
 
 use error::PeersError;
 use report::Report;
+use teeter_peers::{clock, engine, rapier};
 use teeter_scene::{TowerOptions, named, tower};
 use teeter_study::RigidTower;
 

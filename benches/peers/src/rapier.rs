@@ -85,15 +85,42 @@ impl Rapier {
         world.insert(RigidBodyBuilder::fixed().translation(vector(DVec3::new(0.0, 0.0, -0.1 * s))), material(floor));
         let bodies = scene.blocks.iter().map(|block| {
             let [x, y, z] = block.size.map(|l| (0.5 * l * s) as f32);
-            let body = RigidBodyBuilder::dynamic()
+            let kind = if block.fixed { RigidBodyBuilder::fixed() } else { RigidBodyBuilder::dynamic() };
+            let body = kind
                 .translation(vector(DVec3::from(block.pos) * s))
-                .rotation(vector(DVec3::new(0.0, 0.0, block.yaw)))
+                .rotation(vector(DQuat::from_array(block.rotation()).to_scaled_axis()))
                 .can_sleep(false);
             let collider = ColliderBuilder::cuboid(x, y, z).mass((block.mass * s.powi(3)) as f32);
             world.insert(body, material(collider)).0
         });
         let bodies = bodies.collect();
         Self { world, bodies, setting }
+    }
+
+    /// Sets the acceleration of free fall, m/s².
+    pub fn set_gravity(&mut self, gravity: DVec3) {
+        self.world.gravity = vector(gravity * self.setting.scale);
+    }
+
+    /// Time of a step, s.
+    pub fn step_seconds(&self) -> f64 {
+        FRAME / self.setting.steps as f64
+    }
+
+    /// Advances by one step under forces (N) at the centres of blocks.
+    ///
+    /// # Panics
+    /// When there is no such block.
+    pub fn step(&mut self, forces: &[(usize, DVec3)]) {
+        for &(body, force) in forces {
+            let body = &mut self.world.bodies[self.bodies[body]];
+            body.reset_forces(true);
+            body.add_force(vector(force * self.setting.scale.powi(4)), true);
+        }
+        self.world.step();
+        for &(body, _) in forces {
+            self.world.bodies[self.bodies[body]].reset_forces(true);
+        }
     }
 }
 
@@ -104,12 +131,8 @@ fn vector(v: DVec3) -> Vector {
 impl Engine for Rapier {
     fn frame(&mut self, pull: Option<Pull>) {
         for i in 0..self.setting.steps {
-            if let Some(pull) = pull {
-                let body = &mut self.world.bodies[self.bodies[pull.body]];
-                body.reset_forces(true);
-                body.add_force(vector(pull.at(i, self.setting.steps) * self.setting.scale.powi(4)), true);
-            }
-            self.world.step();
+            let force = pull.map(|pull| (pull.body, pull.at(i, self.setting.steps)));
+            self.step(force.as_slice());
         }
     }
 

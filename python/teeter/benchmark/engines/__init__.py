@@ -1,0 +1,1 @@
+"""Adapters of the engines that come with the benchmark."""
