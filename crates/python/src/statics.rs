@@ -75,8 +75,9 @@ pub fn tilted_towers<'py>(
         .collect()
 }
 
-/// True where rigid blocks cannot rest like this, False where they can, None where statics has no
-/// answer: of a tilted block, or one fixed in the air.
+/// True where rigid blocks cannot rest like this, whatever friction does; False where normal forces
+/// alone hold them; None where statics has no answer: where friction decides, of a tilted block or
+/// one fixed in the air, or where the solver gives up.
 ///
 /// Raises SceneError.
 #[pyfunction]
@@ -84,8 +85,7 @@ pub fn exact_fall(scene: &Bound<'_, PyAny>) -> PyResult<Option<bool>> {
     let py = scene.py();
     let scene = scene_of(scene)?;
     detached(py, || match RigidTower::falls(&scene) {
-        // Friction may hold what normal forces alone cannot.
-        Some(true) => RigidTower::rests_by_friction(&scene, 0.0).ok().map(|rests| !rests),
+        Some(true) => RigidTower::falls_despite_friction(&scene, 0.0).ok().filter(|falls| *falls),
         answer => answer,
     })
 }

@@ -43,8 +43,8 @@ pub fn drawn_tower(seed: u64) -> Scene {
         }
         let Ok(margin) = RigidTower::margin(&scene) else { continue };
         let is_clear = margin.abs() >= MIN_MARGIN;
-        let holds = !stable && RigidTower::rests_by_friction(&scene, -MIN_MARGIN).unwrap_or(true);
-        if is_clear && !holds {
+        let is_proven = stable || RigidTower::falls_despite_friction(&scene, -MIN_MARGIN) == Ok(true);
+        if is_clear && is_proven {
             scene.name = format!("drawn-{seed}");
             scene.label = Some(if stable { "stable" } else { "unstable" }.into());
             scene.margin = Some(1e3 * margin);

@@ -51,7 +51,8 @@ def scene_friction(document: Element, compiled: Any, floor: int | None, boxes: S
     ground = own[0] if floor is None and own else float(model.geom_friction[floor, 0]) if own else 0.0
     if not own:
         return Friction(0.4, [])
-    if not model.npair and len({ground, *own}) == 1:
+    if not model.npair and (len({ground, *own}) == 1 or all(box.joint is None for box in boxes)):
+        # fixed boxes have no contacts with each other and the floor
         return Friction(ground, own)
     pairs = _pairs(document, model)
     if not pairs and len(set(own)) == 1 and own[0] > 0.0:

@@ -79,14 +79,19 @@ def _write_parquet(motion: Motion, path: Path) -> None:
     notes = {
         "scene": motion.scene["name"],
         "teeter_version": __version__,
-        "frame_s": repr(motion.frame),
-        "substep_s": repr(motion.substep),
-        "dt_s": repr(motion.frame * motion.every),
+        "frame_s": _digits(motion.frame),
+        "substep_s": _digits(motion.substep),
+        "dt_s": _digits(motion.frame * motion.every),
     }
     schema = pa.schema(fields, metadata=notes)
     with parquet.ParquetWriter(path, schema, compression="snappy") as writer:
         for group in _groups(motion):
             writer.write_table(pa.table([pa.array(group[name], kinds.get(name)) for name in COLUMNS], schema=schema))
+
+
+def _digits(number: float) -> str:
+    """All digits of a number, without an exponent."""
+    return np.format_float_positional(number, trim="-")
 
 
 def _groups(motion: Motion) -> Iterator[dict[str, Any]]:

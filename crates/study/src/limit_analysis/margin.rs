@@ -4,7 +4,7 @@ use teeter_scene::Scene;
 
 use super::equilibrium::{equilibrium, require_upright};
 use super::error::LimitError;
-use super::frictional::rests;
+use super::frictional::falls;
 use super::tower::RigidTower;
 
 /// Largest margin, m: three quarters of the width of a nominal block.
@@ -39,14 +39,21 @@ impl RigidTower<'_> {
         Ok(sign * 0.5 * (same + other))
     }
 
-    /// Returns true if normal forces and friction together hold every block, on edges of support
-    /// moved inwards by `inset`, m. The equilibrium of [`RigidTower::stands`] needs no friction.
+    /// Returns true if the tower falls whatever friction does, on edges of support moved inwards by
+    /// `inset`, m. The equilibrium of [`RigidTower::stands`] needs no friction; between the two lie
+    /// towers that only friction holds.
     ///
     /// # Errors
     /// When a block is tilted or fixed in the air, or the solver gives up.
-    pub fn rests_by_friction(scene: &Scene, inset: f64) -> Result<bool, LimitError> {
+    ///
+    /// ```
+    /// # use teeter_study::RigidTower;
+    /// let falls = |name| RigidTower::falls_despite_friction(&teeter_scene::named(name).unwrap(), 0.0);
+    /// assert_eq!((falls("column"), falls("test-4")), (Ok(false), Ok(true)));
+    /// ```
+    pub fn falls_despite_friction(scene: &Scene, inset: f64) -> Result<bool, LimitError> {
         require_upright(scene)?;
-        rests(scene, inset)
+        falls(scene, inset)
     }
 }
 
