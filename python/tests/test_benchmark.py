@@ -163,6 +163,18 @@ def test_an_engine_in_another_process_is_asked_line_by_line(tmp_path, monkeypatc
         load_engine("rapier")
 
 
+def test_the_example_of_an_own_engine_is_that_of_the_page():
+    root = Path(__file__).parents[2]
+    rows = run(["teeter", f"{root / 'python/examples/own_engine.py'}:SoftEngine"], ["forces"], ALONE)
+    stiff, soft = (row.figures for row in rows)
+    # ten times softer contacts give ten times as much
+    assert soft["sink_mm"] == pytest.approx(10 * stiff["sink_mm"], rel=0.1)
+    page = (root / "docs/benchmark.md").read_text()
+    for line in (root / "python/examples/own_engine.py").read_text().splitlines():
+        if line.strip().startswith(("self.world", "applied", "return")):
+            assert line in page
+
+
 class Partial:
     """Not an engine: two functions are missing."""
 

@@ -3,9 +3,11 @@
 //!
 //! The argument is the name of a setting, `default`, `best` or `stiff`. The first line out is
 //! `{"details": "..."}`. Requests are `{"load": SCENE}`, `{"gravity": [x, y, z]}` and
-//! `{"step": {"seconds": s, "forces": [[block, x, y, z], ...]}}`, in SI units. The answer to a scene
-//! or a step is `{"poses": [x, y, z, qx, qy, qz, qw, ...], "cpu_s": s}` with the CPU time of all
-//! steps so far, to others `{}`, and `{"error": "..."}` where a request cannot be carried out.
+//! `{"step": {"seconds": s, "forces": [[block, x, y, z], ...]}}`, in SI units.
+//!
+//! The answer to a scene or a step is `{"poses": [x, y, z, qx, qy, qz, qw, ...], "cpu_s": s}` with
+//! the CPU time of all steps so far, to others `{}`, and `{"error": "..."}` where a request cannot
+//! be carried out.
 
 use std::io::{self, BufRead, Write};
 use std::process::ExitCode;

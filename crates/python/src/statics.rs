@@ -105,6 +105,7 @@ pub fn exact_tilt(scene: &Bound<'_, PyAny>, azimuth: &Bound<'_, PyAny>) -> PyRes
 #[derive(Serialize)]
 struct ExactForces {
     id: u32,
+    rise_m: f64,
     is_exact: bool,
     #[serde(flatten)]
     forces: Breakaway,
@@ -112,7 +113,8 @@ struct ExactForces {
 
 /// Exact breakaway forces of all blocks along their long axes, a list of dicts: id, straight_n and
 /// turning_n, which bound the force from above and below (N), tipping_n, from which the tower rocks
-/// before (None where it cannot), and is_exact, where the bounds agree.
+/// before (None where it cannot), is_exact, where the bounds agree, and rise_m, how far the centre
+/// of the rigid block rises from where it was built (m; below zero, as it comes down to rest).
 ///
 /// Raises SceneError where rigid blocks cannot rest like this.
 #[pyfunction]
@@ -121,9 +123,10 @@ pub fn exact_forces<'py>(scene: &Bound<'py, PyAny>) -> PyResult<Bound<'py, PyAny
     let scene = scene_of(scene)?;
     let forces = detached(py, || {
         let tower = RigidTower::new(&scene)?;
+        let rises = tower.displacements()?;
         let of = |(i, block): (usize, &teeter_scene::Block)| {
             let forces = tower.breakaway(i)?;
-            Ok(ExactForces { id: block.id, is_exact: forces.is_exact(), forces })
+            Ok(ExactForces { id: block.id, rise_m: rises[i].x, is_exact: forces.is_exact(), forces })
         };
         scene.blocks.iter().enumerate().map(of).collect::<Result<Vec<_>, LimitError>>()
     })?;
@@ -189,8 +192,8 @@ impl Footing {
         Ok(self.footing.any_fallen_of(&Self::cuboids(&self.sizes, poses)?))
     }
 
-    /// True when any block has fallen, or slid on its bearers by more than a quarter of a height: on a
-    /// floor that is tilted a tower collapses in both manners.
+    /// True when any block has fallen, or slid on its bearers by more than a quarter of a height: a
+    /// tower on a floor that is tilted collapses in both manners.
     ///
     /// poses: float64 of shape (n, 7). Raises InputError.
     fn any_fallen_or_slid(&self, poses: &Bound<'_, PyAny>) -> PyResult<bool> {

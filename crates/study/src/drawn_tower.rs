@@ -12,14 +12,14 @@ const ROWS: std::ops::RangeInclusive<usize> = 3..=12;
 const SCATTER: [f64; 2] = [2e-3, 1e-3];
 /// Largest deviation, in standard deviations.
 const MAX_SCATTER: f64 = 2.5;
-/// Margin below which a verdict is not clear, m.
+/// Margin below which a answer is not clear, m.
 const MIN_MARGIN: f64 = 1e-4;
 
 /// Patterns of a row, bit by bit. Those that cannot bear a row on one side are a third.
 const PATTERNS: [usize; 12] = [0b001, 0b011, 0b100, 0b110, 0b010, 0b010, 0b101, 0b101, 0b111, 0b111, 0b111, 0b111];
 
 /// Returns a tower drawn from a seed, with `label` and `margin` (mm) by limit analysis: stable for
-/// an even seed and unstable for an odd one. Verdicts within 0.1 mm are drawn again.
+/// an even seed and unstable for an odd one. Towers that 0.1 mm decides are drawn again.
 ///
 /// A row has one, two or three blocks. Half of the towers are scattered along and across their
 /// rows.

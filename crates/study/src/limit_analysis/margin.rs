@@ -13,7 +13,7 @@ const MAX_MARGIN: f64 = 0.02;
 const BISECTIONS: usize = 16;
 
 impl RigidTower<'_> {
-    /// Returns by how much every edge of support may be wrong before the verdict of statics
+    /// Returns by how much every edge of support may be wrong before the answer of statics
     /// changes, m: positive for a tower that stands, negative for one that falls, 0.02 in amount at
     /// most.
     ///

@@ -39,7 +39,8 @@ class MujocoEngine:
         """Compiles the exported model."""
         self._model = self._mujoco.MjModel.from_xml_string(write_mjcf(scene, self.recipe))
         self._data = self._mujoco.MjData(self._model)
-        self._mujoco.mj_resetDataKeyframe(self._model, self._data, 0)
+        if self._model.nkey:
+            self._mujoco.mj_resetDataKeyframe(self._model, self._data, 0)
         self._mujoco.mj_forward(self._model, self._data)
         self._until = 0.0
         # bodies come in the order of the blocks, after the world

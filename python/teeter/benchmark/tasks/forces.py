@@ -30,9 +30,10 @@ EXCESS_SHARE, EXCESS_N = 2.0, 0.2
 def measure(engine: ClockedEngine, options: Options, progress: Progress) -> Figures:
     """Lets a tower rest, and then pulls blocks of it, each from a tower that is built again.
 
-    Figures: stands, creep_mm and sink_mm, how far the highest centre is below where it was built,
-    in the time of the options; and of the pulls: pulls, mean_error_N, max_error_N, loose_error_N (of
-    blocks that bear nothing) and correlation with the upper bound. None where the tower fell.
+    Figures: stands, creep_mm in the time of the options, and sink_mm, how far the highest block is
+    below where it lies in a tower of rigid blocks; and of the pulls: pulls, mean_error_N,
+    max_error_N, loose, how many bear nothing, loose_error_N of those, and correlation with the upper
+    bound. A tower that fell has stands and pulls alone.
     """
     scene = scenes.tower(rows=options.rows)
     exact = exact_forces(scene)
@@ -45,8 +46,9 @@ def measure(engine: ClockedEngine, options: Options, progress: Progress) -> Figu
     if Footing(scene).any_fallen(poses):
         progress(1 + len(chosen), 1 + len(chosen))
         return {"stands": False, "pulls": 0}
-    top = max(block["pos"][2] for block in scene["blocks"])
-    figures: Figures = {"stands": True, "creep_mm": creep, "sink_mm": 1e3 * (top - float(poses[:, 2].max()))}
+    heights = [block["pos"][2] + forces["rise_m"] for block, forces in zip(scene["blocks"], exact, strict=True)]
+    top = int(np.argmax(heights))
+    figures: Figures = {"stands": True, "creep_mm": creep, "sink_mm": 1e3 * (heights[top] - float(poses[top, 2]))}
     measured = []
     for i, body in enumerate(chosen):
         progress(1 + i, 1 + len(chosen))
