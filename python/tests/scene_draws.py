@@ -66,3 +66,16 @@ def assert_same(one, other, *, velocities=True, exact=True):
         assert math.isclose(*friction, rel_tol=1e-9 if exact else 1e-12)
         for field in ("velocity", "spin") if velocities else ():
             np.testing.assert_allclose(a.get(field, [0, 0, 0]), b.get(field, [0, 0, 0]), atol=1e-12)
+
+
+@st.composite
+def damaged(draw, text):
+    """A text with a few of its characters changed, repeated or left out."""
+    for _ in range(draw(st.integers(1, 4))):
+        start = draw(st.integers(0, len(text)))
+        stop = min(len(text), start + draw(st.integers(0, 12)))
+        put = draw(
+            st.sampled_from(["", "<", '"', "/>", " ", "0", "-1", "nan", "1e400", "&amp;", "é", text[start:stop] * 2])
+        )
+        text = text[:start] + put + text[stop:]
+    return text

@@ -1,12 +1,13 @@
 """MJCF: a tower stands in MuJoCo, scenes come back as they were, and models of others are read."""
 
+import contextlib
 import math
 
 import mujoco
 import numpy as np
 import pytest
 from hypothesis import given, settings
-from scene_draws import assert_same
+from scene_draws import assert_same, damaged
 from scene_draws import scenes as drawn_scenes
 
 import teeter
@@ -201,3 +202,11 @@ OUTSIDE = '<!DOCTYPE mujoco [<!ENTITY a SYSTEM "file:///etc/passwd">]>\n<mujoco>
 def test_hostile_documents_are_refused(text):
     with pytest.raises(InterchangeError):
         read_mjcf(text)
+
+
+@settings(max_examples=60, deadline=None, derandomize=True)
+@given(damaged(OTHERS))
+def test_a_damaged_document_is_read_or_refused(text):
+    # any other exception fails the test
+    with contextlib.suppress(InterchangeError):
+        scenes.load(read_mjcf(text))

@@ -1,11 +1,12 @@
 """URDF: scenes come back as they were, towers of others are read, and the rest is refused."""
 
+import contextlib
 import math
 
 import numpy as np
 import pytest
 from hypothesis import given, settings
-from scene_draws import assert_same
+from scene_draws import assert_same, damaged
 from scene_draws import scenes as drawn_scenes
 
 import teeter
@@ -103,3 +104,11 @@ def test_a_document_type_is_refused():
     with pytest.raises(InterchangeError) as caught:
         read_urdf('<!DOCTYPE robot [<!ENTITY a "b">]>\n<robot name="&a;"/>')
     assert caught.value.field == "DOCTYPE"
+
+
+@settings(max_examples=100, deadline=None, derandomize=True)
+@given(damaged(OTHERS))
+def test_a_damaged_document_is_read_or_refused(text):
+    # any other exception fails the test
+    with contextlib.suppress(InterchangeError):
+        scenes.load(read_urdf(text))

@@ -1,6 +1,6 @@
 """Force map: the pull that starts a block of a full tower sliding, beside the exact one.
 
-Heights scattered by 0.1 mm make some blocks loose and others tight. The exact force lies between two
+Heights scattered by 0.1 mm make some blocks loose and others tight. The exact force lies between
 bounds of limit analysis, which agree for many blocks; the error is the distance from that range.
 """
 
@@ -86,9 +86,15 @@ def spread(count: int, wanted: int) -> list[int]:
     return [(2 * i + 1) * count // (2 * wanted) for i in range(wanted)]
 
 
+def _lower_bound(forces: dict[str, Any]) -> float:
+    """Force from which a block may move, N: it turns, or rocks with all above it, before it slides."""
+    tipping = forces["tipping_n"]
+    return min(forces["turning_n"], forces["straight_n"], math.inf if tipping is None else tipping)
+
+
 def _errors(exact: Sequence[dict[str, Any]], measured: Floats, scene: Scene) -> Figures:
     high = np.array([forces["straight_n"] for forces in exact])
-    low = np.array([min(forces["turning_n"], forces["straight_n"]) for forces in exact])
+    low = np.array([_lower_bound(forces) for forces in exact])
     errors = np.maximum(np.maximum(low - measured, measured - high), 0.0)
     # friction under the block's own weight, and half as much again
     own = 1.5 * scene["friction"] * scene["gravity"] * max(block["mass"] for block in scene["blocks"])
