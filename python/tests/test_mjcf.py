@@ -178,6 +178,13 @@ REFUSED = {
     "file": (model(before='<asset><mesh name="m" file="/etc/passwd"/></asset>'), "file", 2),
     "include": (model(before='<include file="x.xml"/>'), "include", 2),
     "plugin": (model(before='<extension><plugin plugin="p"/></extension>'), "plugin", 2),
+    "memory": (model(before='<size memory="64G"/>'), "memory", 2),
+    "user data": (model(before='<size nuser_geom="1000000000"/>'), "nuser_geom", 2),
+    "picture": (
+        model(before='<asset><texture type="2d" builtin="flat" width="99999" height="1"/></asset>'),
+        "width",
+        2,
+    ),
     "unknown": (model(world='<geom type="box" size=".1 .1 .1" colour="red"/>'), None, 4),
     "empty": (model(""), "geom", None),
     "not XML": ("<mujoco><worldbody>\n</mujoco>", None, 2),
@@ -192,6 +199,13 @@ def test_what_a_scene_cannot_say_is_refused_with_its_line(name):
         read_mjcf(text)
     assert (caught.value.field, caught.value.line) == (field, line), str(caught.value)
     assert "\n" not in str(caught.value)
+
+
+def test_reading_writes_nothing(tmp_path, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+    # MuJoCo warns of a number that is none
+    read_mjcf(model(before='<option timestep="nan"/>'))
+    assert not list(tmp_path.iterdir())
 
 
 ENTITIES = '<!DOCTYPE mujoco [<!ENTITY a "aaaaaaaaaa"><!ENTITY b "&a;&a;&a;&a;&a;&a;&a;&a;">]>\n<mujoco model="&b;"/>'

@@ -7,9 +7,11 @@ refused with the name and line of its element.
 
 from __future__ import annotations
 
+import contextlib
 import itertools
 import json
 import math
+import re
 from collections.abc import Iterator
 from dataclasses import dataclass
 from typing import Any
@@ -28,6 +30,11 @@ __all__ = ["read_mjcf"]
 # Sections that have no part in the motion of boxes.
 _IDLE = {"asset", "visual", "statistic", "size", "sensor", "default", "compiler", "option", "worldbody"}
 _READ = {"contact", "custom", "keyframe"}
+# Attributes that ask for memory, with the largest number that is read.
+_SIZES = {"memory": 2**30, "width": 2**13, "height": 2**13, "nrow": 2**13, "ncol": 2**13, "nuserdata": 2**20}
+_SIZES |= {f"nuser_{part}": 2**10 for part in ("body", "jnt", "geom", "site", "cam", "tendon", "actuator", "sensor")}
+_SIZES |= {"nkey": 2**10, "nconmax": 2**20, "njmax": 2**20, "nstack": 2**27}
+_SIZE = re.compile(r"\s*([0-9]{1,18})\s*([KMGTPE]?)\s*", re.IGNORECASE)
 # Elements of a body that have none.
 _IDLE_PARTS = {"site", "camera", "light"}
 _PARTS = {"body", "geom", "joint", "freejoint", "inertial", "frame"}
@@ -59,6 +66,7 @@ def _check_elements(document: Element) -> None:
     for element in document.walk():
         if element.name in ("include", "plugin", "attach", "model"):
             raise element.error("is not read: expected a document that is complete in itself")
+        _check_size(element)
         if "file" in element.attributes:
             raise element.error("names a file, which is not read: expected boxes", "file")
     for section in document.children:
@@ -69,6 +77,15 @@ def _check_elements(document: Element) -> None:
         if section.name == "contact":
             for child in section.all("exclude"):
                 raise child.error("has no counterpart in a scene: all blocks touch each other")
+
+
+def _check_size(element: Element) -> None:
+    """Refuses sizes with which a short document takes gigabytes."""
+    for name, limit in _SIZES.items():
+        number = _SIZE.fullmatch(element.attributes.get(name, "0"))
+        # no number, or one of the default, is for MuJoCo to judge
+        if number and int(number[1]) * 1024 ** "-KMGTPE".index(number[2].upper() or "-") > limit:
+            raise element.error(f"has {name}='{element.attributes[name]}', expected at most {limit}", name)
 
 
 def _check_bodies(world: Element) -> None:
@@ -89,11 +106,23 @@ def _compiled(text: str | bytes) -> Any:
         except UnicodeDecodeError as error:
             raise InterchangeError(f"no UTF-8: {error}") from error
     try:
-        spec = mujoco.MjSpec.from_string(text)
-        return _Model(mujoco, spec, spec.compile())
-    except (ValueError, mujoco.FatalError) as error:
+        with _without_log(mujoco):
+            spec = mujoco.MjSpec.from_string(text)
+            return _Model(mujoco, spec, spec.compile())
+    except (ValueError, RuntimeError, MemoryError, mujoco.FatalError) as error:
         message = " ".join(str(error).split())
         raise InterchangeError(f"MuJoCo refuses it: {message}", None, _line(message)) from error
+
+
+@contextlib.contextmanager
+def _without_log(mujoco: Any) -> Iterator[None]:
+    """Keeps MuJoCo from writing warnings into a file of the current folder."""
+    before = mujoco.get_mju_user_warning()
+    mujoco.set_mju_user_warning(lambda message: None)
+    try:
+        yield
+    finally:
+        mujoco.set_mju_user_warning(before)
 
 
 def _line(message: str) -> int | None:

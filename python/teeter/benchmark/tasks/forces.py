@@ -89,7 +89,7 @@ def spread(count: int, wanted: int) -> list[int]:
 def _lower_bound(forces: dict[str, Any]) -> float:
     """Force from which a block may move, N: it turns, or rocks with all above it, before it slides."""
     tipping = forces["tipping_n"]
-    return min(forces["turning_n"], forces["straight_n"], math.inf if tipping is None else tipping)
+    return float(min(forces["turning_n"], forces["straight_n"], math.inf if tipping is None else tipping))
 
 
 def _errors(exact: Sequence[dict[str, Any]], measured: Floats, scene: Scene) -> Figures:
