@@ -1,5 +1,5 @@
 # `make play` and `make test` set up what is missing. Anything longer than a line is in tools/.
-.PHONY: help play page test golden fuzz check format bench counts figures peers pictures wheel clean setup
+.PHONY: help play page test golden fuzz check format bench counts figures peers pictures site wheel clean setup
 
 help: ## List the targets
 	@sed -n 's/^\([a-z]*\):.*## /\1\t/p' $(MAKEFILE_LIST) | column -t -s '	'
@@ -18,6 +18,7 @@ test: page ## Run every test: Rust, examples, Python, WebAssembly under node, th
 	cargo test --workspace --locked --features teeter-cli/page
 	tools/examples
 	tools/python test
+	tools/site
 	cargo test --workspace --locked --features teeter-cli/server --test play -- without_the_page
 	tools/build-wasm scalar
 	cd web && npm run test:wasm && npm run test:unit && npm run test:page
@@ -65,7 +66,12 @@ peers: ## Measure the engine beside Rapier and Box3D, and write docs/performance
 pictures: ## Draw the pictures of the documents into docs/pictures
 	tools/pictures
 
-wheel: page ## Build the Python package, install it in a fresh environment, and test it there
+site: page ## Build the manual: guides, reference, method and results, in target/site/html
+	tools/setup python
+	tools/python build
+	tools/site
+
+wheel: site ## Build the Python package, install it in a fresh environment, and test it there
 	tools/setup python
 	tools/python wheel
 

@@ -25,6 +25,7 @@ Each has a message of one line that says which block or field, its value, and wh
       RecordError    (ValueError)   bytes that are no record, or one that cannot be replayed
       InterchangeError (ValueError) a file of another program that has no counterpart here
       EngineError    (RuntimeError) an engine of the benchmark that is absent or breaks its protocol
+      UnavailableError (RuntimeError) a part of the package that was not installed or built
 """
 
 from __future__ import annotations
@@ -116,3 +117,5 @@ class InterchangeError(TeeterError, ValueError):
 
 class EngineError(TeeterError, RuntimeError):
     """Engine of the benchmark that is absent, fails or breaks its protocol."""
+class UnavailableError(TeeterError, RuntimeError):
+    """Part of the package that was not installed or built. The message has the command to run."""

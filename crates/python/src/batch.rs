@@ -24,7 +24,7 @@ const MAX_WORLDS: u64 = 1_000_000;
 const FRAMES: usize = 4;
 
 /// Worlds of equally many bodies that are stepped side by side. WorldBatch(scenes, *, threads=None,
-/// precision="single", sleep=True, ramp=0.0, frame=1/60)
+/// precision="single", width="auto", sleep=True, ramp=0.0, frame=1/60)
 ///
 /// scenes: a list of scenes, as World takes them, or of worlds, which are copied; each has its own
 /// constants. threads: number of threads, one a core where absent; it changes no bit. `poses`,
