@@ -1,4 +1,4 @@
-"""The package: its documents, types, program, and snippets of the guides."""
+"""The package: its docstrings, types and program."""
 
 import inspect
 import json

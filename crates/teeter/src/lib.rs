@@ -11,11 +11,17 @@ pub use teeter_scene as scene;
 pub use teeter_scene::{Block, Form, Scene, SceneError, TowerOptions};
 pub use teeter_study as study;
 
-/// Tests the examples of the repository's front page and tutorial.
+/// Tests the examples of the repository's front page and of the documents.
 #[cfg(doctest)]
 mod pages {
     #[doc = include_str!("../../../README.md")]
     struct FrontPage;
+    #[doc = include_str!("../../../docs/opponents.md")]
+    struct Opponents;
+    #[doc = include_str!("../../../docs/python.md")]
+    struct Python;
     #[doc = include_str!("../../../docs/tutorial.md")]
     struct Tutorial;
+    #[doc = include_str!("../../../python/docs/index.md")]
+    struct Manual;
 }
