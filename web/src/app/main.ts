@@ -3,6 +3,7 @@
 import { text } from '../messages';
 import { fillDocument } from '../messages/fill';
 import { modeOf } from '../modes';
+import { element } from '../ui/dom';
 import { Gallery } from '../ui/gallery';
 import { HelpDialog } from '../ui/help-dialog';
 import { Notice, showTrouble } from '../ui/notice';
@@ -38,7 +39,7 @@ function start(): void {
   const notice = new Notice();
   const play = new Play(store, stage, notice, xray => stage.bodies && overlay.receive(xray, stage.bodies));
   const { hand } = play;
-  const labels = new Labels();
+  const labels = new Labels(element('labels'));
   const overlay = new XRayOverlay(store, hand, stage.view, labels);
   const frame = () => stage.frame();
   const pointers = new Pointers(stage.canvas, store, hand, stage.orbit, { bodies: () => stage.bodies, frame });

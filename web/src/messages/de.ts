@@ -161,6 +161,11 @@ export const de: Messages = {
       space: 'Leertaste',
     },
   },
+  notebook: {
+    picture:
+      'Ein Turm aus Blöcken. Ziehen dreht die Ansicht, Strg und Mausrad vergrößern, ein Klick beschreibt einen Block; Pfeiltasten drehen, Plus und Minus vergrößern, F zeigt alles.',
+    noWebGl: 'Dieser Browser gibt dem Widget kein WebGL 2, mit dem der Turm gezeichnet wird.',
+  },
   readouts: {
     blocks,
     paused: n => `Pause · ${blocks(n)}`,

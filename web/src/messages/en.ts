@@ -163,6 +163,11 @@ export const en = {
       space: 'Space',
     },
   },
+  notebook: {
+    picture:
+      'A tower of blocks. Drag to rotate the view, Ctrl and the wheel zoom, a click describes a block; arrow keys rotate, plus and minus zoom, F frames.',
+    noWebGl: 'This browser gives the widget no WebGL 2, with which the tower is drawn.',
+  },
   readouts: {
     blocks,
     paused: (n: number) => `Paused · ${blocks(n)}`,

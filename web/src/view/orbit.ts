@@ -40,7 +40,11 @@ export class Orbit {
   private width = 1;
   private height = 1;
 
-  constructor(private readonly calm: boolean) {
+  /** `calm`: the camera moves at once; `controls`: the page has controls over the picture. */
+  constructor(
+    private readonly calm: boolean,
+    private readonly controls = true,
+  ) {
     this.camera.up.set(0, 0, 1);
     this.apply();
   }
@@ -59,7 +63,8 @@ export class Orbit {
     this.width = width;
     this.height = height;
     this.camera.aspect = width / height;
-    const { above, below } = width <= NARROW.width ? NARROW : height <= LOW.height ? LOW : WIDE;
+    const beside = !this.controls || (width > NARROW.width && height > LOW.height);
+    const { above, below } = beside ? WIDE : width <= NARROW.width ? NARROW : LOW;
     this.free = Math.max(0.4, 1 - (above + below) / height);
     this.raised = Math.min(0.2, (below - above) / 2 / height);
     this.camera.updateProjectionMatrix();

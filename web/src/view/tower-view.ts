@@ -231,6 +231,12 @@ export class TowerView {
     this.renderer.render(this.scene, this.orbit.camera);
   }
 
+  /** Frees the context of the graphics. */
+  dispose(): void {
+    this.renderer.dispose();
+    this.renderer.forceContextLoss();
+  }
+
   private setTier(tier: Tier): void {
     this.wood.setDirections(tier.directions);
     this.table.setDirections(tier.directions);

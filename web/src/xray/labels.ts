@@ -34,7 +34,6 @@ interface Face {
 }
 
 export class Labels {
-  private readonly element = document.getElementById('labels')!;
   private readonly spans: HTMLSpanElement[] = [];
   private labels: (Label | null)[] = [];
   private faces: (Face | null)[] = [];
@@ -44,6 +43,9 @@ export class Labels {
   shown = 0;
   /** Number of labels whose face is too small on the screen. */
   cramped = 0;
+
+  /** `element`: lies over the picture. */
+  constructor(private readonly element: HTMLElement) {}
 
   /** Sets the label of each block; null removes one, or all of them. */
   set(labels: (Label | null)[] | null): void {

@@ -2,7 +2,8 @@
 
 import { significant, text } from '../messages';
 import { element, onClick } from '../ui/dom';
-import { colourOf, forceText, GRADIENT, isLoose, levelOf, LOOSE, TICKS, type Reading } from './readings';
+import { describe } from './appearance';
+import { colourOf, GRADIENT, isLoose, levelOf, LOOSE, TICKS, type Reading } from './readings';
 
 export interface XRayState {
   on: boolean;
@@ -47,10 +48,4 @@ export class XRayLegend {
     element('xray').classList.toggle('settling', readings === null);
     element('xray-block').textContent = details;
   }
-}
-
-function describe(body: number, { load, pull }: Reading): string {
-  const { pull: pulls, noSupport, load: newtons, noLoad, block } = text.xray;
-  const start = pull === null ? noSupport : pulls(forceText(pull));
-  return block(body, start, load < 0.005 ? noLoad : newtons(forceText(load)));
 }

@@ -5,9 +5,10 @@ import type { XRay } from '../engine/protocol';
 import type { Hand } from '../hand/hand';
 import type { Bodies } from '../view/bodies';
 import type { TowerView } from '../view/tower-view';
+import { labelOf, stainOf } from './appearance';
 import type { Labels } from './labels';
 import { XRayLegend } from './legend';
-import { channels, colourOf, forceText, isDark, isLoose, NO_COLOUR, readings, type Reading } from './readings';
+import { readings } from './readings';
 
 /** Opacity of the colours at rest, and while the tower moves. */
 const STAIN = { current: 0.92, past: 0.3 };
@@ -36,8 +37,8 @@ export class XRayOverlay {
     if (overlay !== 'xray') return;
     const next = forces && readings(forces, bodies);
     const coloured = next ?? before;
-    this.view.stain(coloured?.map(colour) ?? null, next ? STAIN.current : STAIN.past);
-    this.labels.set(next?.map(label) ?? null);
+    this.view.stain(coloured?.map(stainOf) ?? null, next ? STAIN.current : STAIN.past);
+    this.labels.set(next?.map(labelOf) ?? null);
     this.store.set({ readings: next });
   }
 
@@ -52,13 +53,4 @@ export class XRayOverlay {
     this.labels.set(null);
     this.view.stain(null);
   }
-}
-
-function colour({ pull }: Reading): [number, number, number] {
-  return pull === null ? channels(NO_COLOUR) : colourOf(pull);
-}
-
-function label(reading: Reading) {
-  const { pull } = reading;
-  return pull === null ? null : { text: forceText(pull), dark: isDark(pull), marked: isLoose(reading) };
 }
