@@ -1,7 +1,8 @@
-"""Build backend: maturin, with the page where it was built.
+"""Build backend: maturin, with the page and the manual where they were built.
 
 ``teeter play`` of a wheel serves the page that `make page` put into web/dist. Where it is missing,
-and node and npm are there, it is built; without them the wheel has no page.
+and node and npm are there, it is built, and the widget of notebooks with it; without them the wheel
+has neither. The manual is that of `make site`: it needs the package, so it is not built here.
 """
 
 from __future__ import annotations
@@ -35,11 +36,13 @@ __all__ = [
 
 ROOT = Path(__file__).resolve().parents[2]
 PAGE = ROOT / "web/dist/index.html"
+WIDGET = ROOT / "python/teeter/notebook/static/widget.js"
+MANUAL = ROOT / "python/teeter/manual/index.html"
 
 
 def has_page() -> bool:
     """Returns True if there is a page to put into the wheel, and builds it where it can be built."""
-    if not PAGE.exists() and shutil.which("node") and shutil.which("npm"):
+    if not (PAGE.exists() and WIDGET.exists()) and shutil.which("node") and shutil.which("npm"):
         subprocess.run(["make", "page"], cwd=ROOT, check=False, stdout=sys.stderr)
     return PAGE.exists()
 
@@ -53,6 +56,8 @@ def with_page(settings: dict[str, Any] | None) -> dict[str, Any]:
         settings["build-args"] = f"{given} --features page".strip()
     else:
         print("teeter: web/dist has no page, so `teeter play` of this wheel has none", file=sys.stderr)
+    if not MANUAL.exists():
+        print("teeter: `make site` was not run, so `teeter docs` of this wheel has no manual", file=sys.stderr)
     return settings
 
 

@@ -53,11 +53,8 @@ def table_of_contents(files: pages.Site) -> str:
     }
     listed = {page for paths in sections.values() for page in paths}
     project = [page for page in pages.PROJECT.values() if page not in listed]
-    notebooks = [page for page in files.pages.values() if page.endswith(".ipynb") and page not in listed]
     trees = [tree(name, paths) for name, paths in sections.items()]
     trees.append(tree("Reference", ["reference/index.md"]))
-    if notebooks:
-        trees.insert(1, tree("Notebooks", notebooks))
     return "\n".join([*trees, tree("Project", project)])
 
 

@@ -54,7 +54,8 @@ def test_the_contents_have_every_document_of_the_index_once():
     listed = [path for paths in pages.contents().values() for path in paths]
     files = pages.site()
     assert len(listed) == len(set(listed))
-    inside = {path for path in files.pages if path.startswith("docs/") and not path.startswith("docs/play/")}
+    folders = ("docs/", "python/notebooks/")
+    inside = {path for path in files.pages if path.startswith(folders) and not path.startswith("docs/play/")}
     assert inside - {pages.INDEX} <= set(listed)
 
 

@@ -9,7 +9,7 @@ from PIL import Image
 
 import teeter
 from teeter import notebook
-from teeter.notebook import motions
+from teeter.notebook import motions, stills
 
 
 def numbers(data, *shape):
@@ -125,3 +125,18 @@ def test_the_rate_of_a_long_record_is_limited(record, monkeypatch):
     monkeypatch.setattr(motions, "MAX_STATES", 20)
     poses, interval = motions.of_record(record, 60)
     assert len(poses) <= 20 and interval * (len(poses) - 1) <= record.seconds + 1e-9
+
+
+def test_the_picture_of_an_x_ray_colours_each_block_and_nothing_else():
+    world = teeter.World("column")
+    wood, stained = stills.still(world), stills.still(world, np.full(10, 20.0))
+    changed = (wood != stained).any(axis=2)
+    rows, columns = np.nonzero(changed)
+    # The column is one block wide, so its picture is upright, in the middle, and without holes.
+    assert 0.1 * wood.shape[0] < np.ptp(rows) and abs(columns.mean() - wood.shape[1] / 2) < 20
+    assert changed.mean() < 0.3 and changed[rows.min() : rows.max() + 1].any(axis=1).all()
+    colour = stained[changed].mean(axis=0)
+    assert colour[2] > colour[0] > colour[1], "the dark violet of tight blocks"
+    loose = stills.still(world, np.where(np.arange(10) == 9, 0.05, 20.0))
+    top = rows.min() + np.ptp(rows) // 20
+    assert (loose != stained).any(axis=2)[: top + 1].any() and not (loose != stained).any(axis=2)[rows.max()].any()

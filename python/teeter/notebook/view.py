@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import base64
-import io
 import weakref
 from pathlib import Path
 from typing import Any
@@ -12,15 +11,11 @@ import anywidget
 import numpy as np
 import traitlets
 from numpy.typing import NDArray
-from PIL import Image
 
 from teeter import Game, World
+from teeter.notebook import stills
 
 __all__ = ["View"]
-
-# Width and height of the picture that stands for the view, px, and its number of colours.
-_STILL = (640, 420)
-_COLOURS = 128
 
 
 def _bytes(values: NDArray[Any]) -> bytes:
@@ -88,11 +83,9 @@ class View(anywidget.AnyWidget):
                 self.poses, self.readings = _bytes(world.poses), self._readings(world)
 
     def still(self) -> bytes:
-        """Returns a picture of the tower as PNG, without the colours of an X-ray: for the start of a motion."""
-        pixels = self._world().render(*_STILL)
-        out = io.BytesIO()
-        Image.fromarray(pixels).quantize(_COLOURS).save(out, "png", optimize=True)
-        return out.getvalue()
+        """Returns a picture of the world as PNG: of a motion, its start."""
+        world = self._world()
+        return stills.png(stills.still(world, world.xray().tightness if self._forces else None))
 
     def _repr_mimebundle_(self, **options: Any) -> Any:
         """Adds the picture, for readers of a notebook without widgets."""
