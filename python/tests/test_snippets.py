@@ -6,6 +6,7 @@ before it wrote.
 
 import contextlib
 import io
+import json
 import os
 import re
 import subprocess
@@ -132,6 +133,23 @@ def test_the_options_of_a_command_exist(page, monkeypatch, program):
         for name, arguments in re.findall(r"teeter ((?:scene |dissertation )?\w+)([^|>]*)", command):
             options = set(re.findall(r"--[a-z][a-z-]*", arguments))
             assert not options or options <= known_options(name), f"{page}:{line}: {command}"
+
+
+@pytest.mark.parametrize("page", ["README.md", "docs/scene-format.md"])
+def test_a_scene_of_a_page_makes_a_world(page):
+    scenes = [json.loads(text) for language, _, text, _ in blocks(page) if language == "json"]
+    assert scenes
+    for scene in scenes:
+        assert len(teeter.World(scene)) == len(scene["blocks"])
+
+
+def test_the_inputs_of_a_page_are_inputs_of_a_run(tmp_path, program):
+    (lines,) = [text for language, _, text, _ in blocks("docs/inputs.md") if language == "json"]
+    (tmp_path / "inputs.jsonl").write_text(lines)
+    command = f"teeter run tower --seconds 4.5 --inputs {tmp_path}/inputs.jsonl --json"
+    ran = json.loads(printed_by_shell(command, "docs/inputs.md", program))
+    without = json.loads(printed_by_shell("teeter run tower --seconds 4.5 --json", "docs/inputs.md", program))
+    assert ran["hash"] != without["hash"]
 
 
 def test_text_that_differs_from_what_is_shown_is_found():

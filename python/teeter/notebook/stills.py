@@ -59,7 +59,8 @@ def _corners(world: World) -> Floats:
     """Corners of all bodies, m, of shape (n, 8, 3)."""
     halves = np.array(list(product((-0.5, 0.5), repeat=3)))
     local = halves[None] * world.sizes[:, None]
-    return np.einsum("nij,nkj->nki", _rotations(world), local) + world.poses[:, None, :3]
+    rotated: Floats = local @ _rotations(world).transpose(0, 2, 1)
+    return rotated + world.poses[:, None, :3]
 
 
 def _rotations(world: World) -> Floats:
