@@ -99,7 +99,16 @@ def main(out: Path) -> int:
     """Builds the manual and returns the exit code of Sphinx."""
     lay_out(out / "source")
     shutil.rmtree(out / "html", ignore_errors=True)
-    options = ["--fail-on-warning", "--keep-going", "--quiet", "-c", str(HERE), "-d", str(out / "doctrees")]
+    options = [
+        "--fail-on-warning",
+        "--keep-going",
+        "--fresh-env",
+        "--quiet",
+        "-c",
+        str(HERE),
+        "-d",
+        str(out / "doctrees"),
+    ]
     code = build_main([*options, "-b", "html", str(out / "source"), str(out / "html")])
     # For the tools of developers only.
     for pattern in ("*.map", ".buildinfo*", "objects.inv"):

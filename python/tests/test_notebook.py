@@ -86,12 +86,20 @@ def test_poses_of_a_rollout_are_a_motion():
         (np.zeros((2, 10, 7)), None, 10, "world"),
         (np.zeros((2, 10, 7)), "column", 0, "rate"),
         (np.zeros((2, 10, 7)), "column", float("nan"), "rate"),
+        (np.zeros((2, 10, 7)), "column", "fast", "rate"),
     ],
 )
 def test_a_bad_motion_is_an_input_error(motion, world, rate, field):
     with pytest.raises(teeter.InputError) as raised:
         notebook.scrub(motion, world, rate=rate)
     assert raised.value.field == field
+
+
+@pytest.mark.parametrize("height", [0, 99, 4001, 300.0, "tall", None])
+def test_a_bad_height_is_an_input_error(height):
+    for shown in (notebook.show, notebook.xray):
+        with pytest.raises(teeter.InputError, match="`height` is"):
+            shown("column", height=height)
 
 
 def test_messages_of_the_page_set_the_values_and_call_observers():

@@ -22,7 +22,7 @@ from typing import TYPE_CHECKING
 from numpy.typing import ArrayLike
 
 from teeter import Game, Record, World
-from teeter.errors import UnavailableError
+from teeter.errors import InputError, UnavailableError
 
 if TYPE_CHECKING:
     from teeter._teeter import SceneLike
@@ -33,13 +33,15 @@ __all__ = ["scrub", "show", "xray"]
 _BUNDLE = Path(__file__).parent / "static" / "widget.js"
 
 
-def _check() -> None:
+def _check(height: int) -> None:
     for package, distribution in (("anywidget", "anywidget"), ("PIL", "pillow")):
         if find_spec(package) is None:
             message = f"{distribution} is not installed: pip install 'teeter[notebook]'"
             raise UnavailableError(message, distribution)
     if not _BUNDLE.exists():
         raise UnavailableError("the widget was not built: run `make page`", "widget")
+    if type(height) is not int or not 100 <= height <= 4000:
+        raise InputError(f"`height` is {height!r}, expected 100 to 4000 px", "height")
 
 
 def show(source: World | Game | Record | SceneLike, *, height: int = 420) -> View:
@@ -49,9 +51,9 @@ def show(source: World | Game | Record | SceneLike, *, height: int = 420) -> Vie
         in a loop. Of a Record the view shows the start. Else a scene as World takes it.
     height: of the picture, px.
 
-    Raises UnavailableError where a part is missing, and SceneError.
+    Raises UnavailableError where a part is missing, InputError and SceneError.
     """
-    _check()
+    _check(height)
     from teeter.notebook.view import View
 
     source = source.game(0) if isinstance(source, Record) else source
@@ -73,9 +75,9 @@ def scrub(
         poses that a record keeps of each second are shown, and nothing is simulated.
     height: of the picture, px.
 
-    Raises UnavailableError where a part is missing, InputError and RecordError.
+    Raises UnavailableError where a part is missing, InputError, SceneError and RecordError.
     """
-    _check()
+    _check(height)
     from teeter.notebook import motions
     from teeter.notebook.view import View
 
@@ -93,9 +95,9 @@ def xray(world: World | Game | SceneLike, *, height: int = 420) -> View:
         its load. The forces follow the world as the poses do.
     height: of the picture, px.
 
-    Raises UnavailableError where a part is missing, and SceneError.
+    Raises UnavailableError where a part is missing, InputError and SceneError.
     """
-    _check()
+    _check(height)
     from teeter.notebook.view import View
 
     if not isinstance(world, World | Game):

@@ -22,8 +22,8 @@ def interval(rate: float) -> float:
 
     rate: states a second. Raises InputError unless it is between 0 and 60.
     """
-    if not 0 < rate <= 60:
-        raise InputError(f"`rate` is {rate}, expected more than 0 and at most 60 states a second", "rate")
+    if not isinstance(rate, int | float) or not 0 < rate <= 60:
+        raise InputError(f"`rate` is {rate!r}, expected more than 0 and at most 60 states a second", "rate")
     return 1 / rate
 
 
@@ -46,7 +46,7 @@ def checked(poses: ArrayLike, bodies: int) -> NDArray[np.float32]:
     if found.ndim == 2:
         found = found[None]
     if found.shape[1:] != (bodies, POSE_STRIDE) or not 0 < len(found) <= MAX_STATES:
-        expected = f"({'states'}, {bodies}, {POSE_STRIDE}) with 1 to {MAX_STATES} states"
+        expected = f"(states, {bodies}, {POSE_STRIDE}) with 1 to {MAX_STATES} states"
         raise InputError(f"`motion` has the shape {found.shape}, expected {expected}", "motion")
     if not np.isfinite(found).all():
         raise InputError("`motion` has values that are not finite", "motion")

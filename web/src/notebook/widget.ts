@@ -27,7 +27,7 @@ class Widget {
   private readonly ends: (() => void)[];
 
   constructor(private readonly model: Model) {
-    const labels = create('div', { class: 'teeter-labels', hidden: true });
+    const labels = create('div', { class: 'teeter-figures', hidden: true });
     this.scrubber = new Scrubber({ toggle: () => this.toggle(), seek: frame => this.seek(frame) });
     this.element.append(this.canvas, labels, this.caption, this.scrubber.element);
     this.picture = new Picture(this.canvas, labels);

@@ -194,10 +194,10 @@ test('an X-ray colours the blocks, writes their forces, and a click describes on
   const { page } = session;
   const wood = await drawn(page);
   await set(page, 'readings', forces.flat());
-  await page.waitForSelector('.teeter-labels span:not([hidden])');
+  await page.waitForSelector('.teeter-figures span:not([hidden])');
   expect((await drawn(page)).equals(wood)).toBe(false);
   expect(await page.textContent('.teeter-text')).toBe(`2 of ${COUNT} loose`);
-  expect(await page.locator('.teeter-labels .marked').count()).toBe(2);
+  expect(await page.locator('.teeter-figures .marked').count()).toBe(2);
   const box = (await page.locator('canvas').boundingBox())!;
   await page.mouse.click(box.x + box.width / 2, box.y + box.height / 2);
   const selected = Number(await value(page, 'selected'));
