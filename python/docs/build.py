@@ -27,15 +27,25 @@ HIDDEN = ("_", "__main__")
 
 
 def modules() -> list[str]:
-    """Returns the names of the public modules of the package, without its own, in order."""
+    """Returns the names of the modules that have a page of the reference, in order.
+
+    The parts of a package that exports names are its own affair; those of one without are public. A
+    module that a written page has needs no page.
+    """
     import teeter
 
-    found = pkgutil.walk_packages(teeter.__path__, "teeter.")
-    return sorted(name for _, name, _ in found if not any(part.startswith(HIDDEN) for part in name.split(".")))
+    written = "".join(page.read_text() for page in (HERE / "reference").glob("*.md"))
+    found: list[str] = []
+    for _, name, _ in sorted(pkgutil.walk_packages(teeter.__path__, "teeter."), key=lambda module: module.name):
+        parent = name.rpartition(".")[0]
+        is_part = parent != "teeter" and bool(getattr(importlib.import_module(parent), "__all__", ()))
+        if not is_part and not any(part.startswith(HIDDEN) for part in name.split(".")):
+            found.append(name)
+    return [name for name in found if f"automodule:: {name}\n" not in written]
 
 
 def module_page(name: str) -> str:
-    """Returns the page of a module."""
+    """Returns the page of a module. Raises ImportError where a package that it needs is not installed."""
     imported = "\n   :imported-members:" if hasattr(importlib.import_module(name), "__all__") else ""
     return f"# {name}\n\n```{{eval-rst}}\n.. automodule:: {name}\n   :members:{imported}\n```\n"
 

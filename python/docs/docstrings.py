@@ -6,7 +6,9 @@ argument becomes an item of a list, names of the package become links, and all e
 
 from __future__ import annotations
 
+import ast
 import re
+import textwrap
 from collections.abc import Collection, Iterable, Mapping
 
 _PART = re.compile(r"(``.+?``|`[^`]+`|docs/[\w/-]+\.md|\b[A-Za-z_][\w.]*\w(?:\(\))?)")
@@ -70,16 +72,32 @@ def converted(lines: Iterable[str], names: Collection[str], links: Mapping[str, 
     out: list[str] = []
     text = "\n".join(lines).expandtabs().strip("\n")
     literal = False
+    block: list[str] = []
     for paragraph in re.split(r"\n\s*\n", text):
         if literal and paragraph.startswith(" "):
-            out += [*paragraph.split("\n"), ""]
+            block.append(paragraph)
             continue
+        out += _block(block)
+        block = []
         literal = paragraph.rstrip().endswith("::")
         if literal:
-            out += [inline(" ".join(paragraph.split())[:-1], links), "", "::", ""]
+            out += [inline(" ".join(paragraph.split())[:-1], links), ""]
         else:
             out += _listed(paragraph, names, links)
-    return out
+    return out + _block(block)
+
+
+def _block(paragraphs: list[str]) -> list[str]:
+    """An indented block: Python where it is, else text."""
+    if not paragraphs:
+        return []
+    lines = textwrap.dedent("\n\n".join(paragraphs)).split("\n")
+    try:
+        ast.parse("\n".join(lines))
+        language = "python"
+    except SyntaxError:
+        language = "text"
+    return [f".. code-block:: {language}", "", *(f"   {line}".rstrip() for line in lines), ""]
 
 
 def without_signature(lines: list[str], name: str) -> list[str]:

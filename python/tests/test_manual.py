@@ -82,6 +82,15 @@ def test_a_docstring_becomes_a_list_of_arguments_with_links():
     ]
 
 
+def test_an_indented_block_of_a_docstring_stays_as_it_is():
+    text = "So::\n\n    world = f(*x)\n\n    y = 1\n\nor::\n\n    A (B)   c_d\n"
+    code = [".. code-block:: python", "", "   world = f(*x)", "", "   y = 1", ""]
+    assert docstrings.converted(text.split("\n"), set(), {}) == [
+        *("So:", "", *code, "or:", ""),
+        *(".. code-block:: text", "", "   A (B)   c_d", ""),
+    ]
+
+
 def test_a_signature_has_the_types_of_the_stub_and_the_defaults_of_the_module():
     arguments, result = signatures.signature("World", teeter.World)
     assert "precision: Literal['single', 'double']='single'" in arguments and "ramp: float=0.0" in arguments
@@ -98,6 +107,13 @@ def test_the_reference_has_every_public_name():
     of_modules = {name for module in modules.values() for name in module.__all__} | {"errors", "inputs", "scenes"}
     named = set(re.findall(r"(?:teeter\.|data:: )(\w+)", written))
     assert set(teeter.__all__) - of_modules - {"__version__"} - named == set()
+
+
+def test_every_written_page_of_the_reference_is_in_its_table():
+    folder = ROOT / "python/docs/reference"
+    index = (folder / "index.md").read_text()
+    for page in folder.glob("*.md"):
+        assert page.name == "index.md" or (f"]({page.name})" in index and f"\n{page.name}\n" in index)
 
 
 def test_broken_links_and_loads_from_a_network_are_found(tmp_path):

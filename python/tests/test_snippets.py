@@ -1,7 +1,7 @@
 """Snippets of the documents: Python runs as written, and the shell prints what the page shows.
 
 The steps of a page run in their order in one folder, so a snippet may read the file that a command
-before it wrote.
+before it wrote, and use names of the snippets before it.
 """
 
 import contextlib
@@ -90,11 +90,11 @@ def matches(printed, shown):
     return re.match(pattern, lines, re.DOTALL) is not None
 
 
-def printed_by_python(code, name):
-    """Text that a snippet prints."""
+def printed_by_python(code, name, names):
+    """Text that a snippet prints, which may use names of those before it."""
     out = io.StringIO()
     with contextlib.redirect_stdout(out):
-        exec(compile(code, name, "exec"), {"__name__": "snippet"})
+        exec(compile(code, name, "exec"), names)
     return out.getvalue()
 
 
@@ -108,10 +108,11 @@ def printed_by_shell(command, name, environment):
 @pytest.mark.parametrize("page", [page for page in PAGES if ALL[page]])
 def test_the_snippets_of_a_page_run_as_written(page, tmp_path, monkeypatch, program):
     monkeypatch.chdir(tmp_path)
+    names = {"__name__": "snippet"}
     for line, command, code, shown in ALL[page]:
         name = f"{page}:{line}"
         if command == "python":
-            printed = printed_by_python(code, name)
+            printed = printed_by_python(code, name, names)
         elif command.split()[1] not in LONG and (shown or command.split()[1] in QUICK):
             printed = printed_by_shell(command, name, program)
         else:
