@@ -18,7 +18,7 @@ from sphinx.application import Sphinx
 
 FOLDER = "source"
 # A longer file is shown up to this line.
-MAX_LINES = 200
+MAX_LINES = 120
 # Folders of what is built.
 _SKIPPED = ("target", "node_modules", "dist", "__pycache__")
 
