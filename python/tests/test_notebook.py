@@ -3,6 +3,7 @@
 import base64
 import io
 
+import IPython
 import numpy as np
 import pytest
 from PIL import Image
@@ -31,6 +32,21 @@ def test_a_view_has_the_sizes_and_poses_of_its_world_and_follows_it():
     world.step(drives=[teeter.Drive(body=8, velocity=(0.5, 0, 0))])
     view.update()
     assert np.array_equal(numbers(view.poses, -1, 7), world.poses.astype(np.float32))
+
+
+def test_views_follow_their_worlds_after_each_cell_until_they_are_closed(monkeypatch):
+    shell = IPython.core.interactiveshell.InteractiveShell()
+    monkeypatch.setattr(IPython, "get_ipython", lambda: shell)
+    world = teeter.World("column")
+    first, second = notebook.show(world), notebook.show(world)
+    still = notebook.scrub(world.poses, world)
+    assert len([call for call in shell.events.callbacks["post_run_cell"] if "_update_all" in call.__name__]) == 1
+    before = first.poses
+    second.close()
+    world.step(drives=[teeter.Drive(body=9, velocity=(0.5, 0, 0))])
+    shell.events.trigger("post_run_cell", None)
+    assert np.array_equal(numbers(first.poses, -1, 7), world.poses.astype(np.float32)) and first.poses != before
+    assert second.poses == before and still.poses == before
 
 
 @pytest.mark.parametrize("source", ["column", teeter.scenes.named("column"), "(010)-(111)"])

@@ -116,6 +116,6 @@ def _follow(view: View) -> None:
     shell = get_ipython()
     if shell is None:
         return
-    if not _views:
+    if _update_all not in shell.events.callbacks["post_run_cell"]:
         shell.events.register("post_run_cell", _update_all)
     _views.add(view)
