@@ -24,6 +24,8 @@ class Widget {
   private motion = new Motion(new Float32Array(), 0);
   private readings: Reading[] | null = null;
   private sentAt = 0;
+  /** Frame in which this view left the model. */
+  private left = -1;
   private readonly ends: (() => void)[];
 
   constructor(private readonly model: Model) {
@@ -82,7 +84,9 @@ class Widget {
   private advance(elapsed: number) {
     const { model, picture, motion } = this;
     let playing = model.get('playing');
-    if (playing && elapsed > 0) {
+    // Where two views of a model play, the first one moves it on.
+    const alone = model.get('frame') === this.left;
+    if (playing && elapsed > 0 && alone) {
       const frame = motion.within(this.frame + elapsed / model.get('interval'));
       model.set('frame', frame);
       this.sentAt += elapsed;
@@ -95,6 +99,7 @@ class Widget {
         model.save_changes();
       }
     }
+    this.left = model.get('frame');
     this.scrubber.show(this.frame, motion.states, model.get('interval'), playing);
     return { change: motion.states > 0 ? motion.show(this.frame, picture.bodies!) : 0, goesOn: playing };
   }

@@ -52,7 +52,7 @@ interface Fixture {
   dispose(): void;
 }
 
-const PAGE = `<!doctype html><title>Widget</title><div id="cell" style="width: 240px"></div><script type="module">
+const PAGE = `<!doctype html><title>Widget</title><div id="cell" style="width: 240px"></div><div id="other" style="width: 60px"></div><script type="module">
 import widget from './widget.js';
 const listeners = {};
 // A view on a part of a buffer, as messages are, that begins at no multiple of four.
@@ -77,11 +77,12 @@ const model = {
 };
 for (const name of ['sizes', 'poses', 'readings']) model.values[name] = bytes(model.values[name]);
 const dispose = widget.render({ model, el: document.getElementById('cell') });
+if (model.values.views === 2) widget.render({ model, el: document.getElementById('other') });
 window.fixture = { model, bytes, dispose };
 </script>`;
 
 /** Opens a page with the widget. */
-async function open(values: Partial<Record<keyof Values, unknown>> = {}): Promise<Session> {
+async function open(values: Partial<Record<keyof Values | 'views', unknown>> = {}): Promise<Session> {
   const initial = {
     sizes: Array.from({ length: COUNT }, () => SIZE).flat(),
     poses: MOTION,
@@ -114,8 +115,9 @@ async function open(values: Partial<Record<keyof Values, unknown>> = {}): Promis
 
 /** Waits until the picture is the same twice. */
 async function drawn(page: Page): Promise<Buffer> {
-  for (let before = await page.locator('canvas').screenshot(); ;) {
-    const now = await page.locator('canvas').screenshot();
+  const canvas = page.locator('canvas').first();
+  for (let before = await canvas.screenshot(); ;) {
+    const now = await canvas.screenshot();
     if (now.equals(before)) return now;
     before = now;
   }
@@ -171,6 +173,28 @@ test('a motion plays to its end and reports it, and begins again', async () => {
   await page.keyboard.press(' ');
   expect(await value(page, 'playing')).toBe(true);
   expect(await value(page, 'frame')).toBeLessThan(1);
+});
+
+test('two views of a model play it once', async () => {
+  await using session = await open({ views: 2, height: 100, interval: 1000 });
+  const { page } = session;
+  // The larger of two steps in a picture would be that of both views.
+  const rates = await page.evaluate(async () => {
+    const { model } = (window as unknown as { fixture: Fixture }).fixture;
+    model.set('playing', true);
+    const next = () => new Promise<number>(resolve => requestAnimationFrame(resolve));
+    const found: number[] = [];
+    for (let last = { time: await next(), frame: 0 }; found.length < 6;) {
+      const time = await next();
+      const frame = model.values.frame as number;
+      if (last.frame > 0) found.push((1000 * (frame - last.frame)) / ((time - last.time) / 1000));
+      last = { time, frame };
+    }
+    return found;
+  });
+  const mean = rates.reduce((sum, rate) => sum + rate) / rates.length;
+  expect(mean).toBeGreaterThan(0.5);
+  expect(mean).toBeLessThan(1.5);
 });
 
 test('a state without a motion has no bar, and follows new poses', async () => {
