@@ -85,8 +85,8 @@ class Widget {
     const { model, picture, motion } = this;
     let playing = model.get('playing');
     // Where two views of a model play, the first one moves it on.
-    const alone = model.get('frame') === this.left;
-    if (playing && elapsed > 0 && alone) {
+    const drives = model.get('frame') === this.left;
+    if (playing && elapsed > 0 && drives) {
       const frame = motion.within(this.frame + elapsed / model.get('interval'));
       model.set('frame', frame);
       this.sentAt += elapsed;
