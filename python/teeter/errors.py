@@ -14,17 +14,8 @@ Each has a message of one line that says which block or field, its value, and wh
       RecordError      (ValueError)   bytes that are no record, or one that cannot be replayed
       StudyError       (ValueError)   a study, its parameters or its folder; a sample that failed
       WorkerError      (RuntimeError) a worker of a study that ended before its samples were done
-      UnavailableError (RuntimeError) a part of the package that was not installed or built
-      SceneError     (ValueError)   a scene that cannot be read or simulated
-      ParamError     (ValueError)   constants of a run
-      InputError     (ValueError)   an argument, or a part of a step's input
-      BodyError      (IndexError)   the index of a body that does not exist
-      SnapshotError  (ValueError)   bytes that are no state of this world or game
-      RulesError     (ValueError)   rules that cannot be played
-      CommandError   (ValueError)   what is no command of a game
-      RecordError    (ValueError)   bytes that are no record, or one that cannot be replayed
-      InterchangeError (ValueError) a file of another program that has no counterpart here
-      EngineError    (RuntimeError) an engine of the benchmark that is absent or breaks its protocol
+      InterchangeError (ValueError)   a file of another program that has no counterpart here
+      EngineError      (RuntimeError) an engine of the benchmark that is absent or breaks its protocol
       UnavailableError (RuntimeError) a part of the package that was not installed or built
 """
 
@@ -99,8 +90,6 @@ class WorkerError(TeeterError, RuntimeError):
     """Worker of a study that ended before its samples were done."""
 
 
-class UnavailableError(TeeterError, RuntimeError):
-    """Part of the package that was not installed or built. The message has the command to run."""
 class InterchangeError(TeeterError, ValueError):
     """File of another program, or part of it, that cannot be read or has no counterpart here.
 
@@ -117,5 +106,7 @@ class InterchangeError(TeeterError, ValueError):
 
 class EngineError(TeeterError, RuntimeError):
     """Engine of the benchmark that is absent, fails or breaks its protocol."""
+
+
 class UnavailableError(TeeterError, RuntimeError):
     """Part of the package that was not installed or built. The message has the command to run."""

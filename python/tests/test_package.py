@@ -14,29 +14,6 @@ import teeter
 ROOT = Path(__file__).parents[2]
 
 
-def snippets(page):
-    """Snippets of a page, each with its line."""
-    text = (ROOT / page).read_text()
-    for match in re.finditer(r"^```python\n(.*?)^```", text, re.DOTALL | re.MULTILINE):
-        yield pytest.param(match[1], id=f"{page}:{text[: match.start()].count(chr(10)) + 1}")
-
-
-PAGES = ("README.md", "docs/python.md", "docs/studies.md")
-
-
-@pytest.mark.parametrize("code", [snippet for page in PAGES for snippet in snippets(page)])
-def test_a_snippet_of_the_documents_runs_as_written(code):
-    exec(compile(code, "snippet", "exec"), {"__name__": "snippet"})
-
-
-@pytest.mark.parametrize("page", ["docs/benchmark.md", "docs/interchange.md"])
-def test_the_snippets_of_a_page_run_one_after_the_other(page, tmp_path, monkeypatch):
-    monkeypatch.chdir(tmp_path)
-    names = {"__name__": "snippet"}
-    for snippet in snippets(page):
-        exec(compile(snippet.values[0], snippet.id, "exec"), names)
-
-
 def public():
     for name in teeter.__all__:
         item = getattr(teeter, name)
