@@ -9,7 +9,15 @@ const MAX_LINES = 8;
 const INDEX = 'docs/README.md';
 const MAP = 'ARCHITECTURE.md';
 /** Folders that builds write: named in documents, absent from git. */
-const BUILT = ['python/teeter/manual', 'python/teeter/notebook/static', 'target', 'web/dist', 'web/node_modules', 'web/src/wasm', 'web/wasm-scalar'];
+const BUILT = [
+  'python/teeter/manual',
+  'python/teeter/notebook/static',
+  'target',
+  'web/dist',
+  'web/node_modules',
+  'web/src/wasm',
+  'web/wasm-scalar',
+];
 const EXTENSION = /\.(rs|ts|mjs|css|html|md|toml|json|jsonl|gz|svg|png|csv|py|yml)$/;
 
 /**

@@ -11,6 +11,7 @@ from numpy.typing import NDArray
 
 from teeter import Game
 from teeter.envs.hand import BOUND, FRAMES, REACH, HandEnv, Vector, axes_of
+from teeter.envs.screen import Screen
 from teeter.envs.tower import DOMAIN, checked_rows, draw_scene
 
 Floats = NDArray[np.float32]
@@ -42,6 +43,7 @@ class ExtractEnv(HandEnv):
     ) -> None:
         self.rows, self.loose, self.max_force = checked_rows(rows), loose, float(max_force)
         self.domain, self.render_mode = dict(domain), render_mode
+        self.screen = Screen(render_mode, self.metadata["render_fps"])
         self.action_space = spaces.Box(-1.0, 1.0, (3,), np.float32)
         self.observation_space = spaces.Box(-BOUND, BOUND, (18,), np.float32)
 
@@ -64,12 +66,14 @@ class ExtractEnv(HandEnv):
             {"command": "grasp", "body": self.body, "anchor": anchor, "normal": outward, "grip": "auto"}
         )
         self._moved, self._travel = 0.0, 0.0
+        self.screen.follow(self.game)
         return self._observation(), {"body": self.body}
 
     def step(self, action: Floats) -> tuple[Floats, float, bool, bool, dict[str, Any]]:
         """Moves the hand's goal and advances by 1/20 s."""
         wanted = np.clip(np.asarray(action, np.float64), -1.0, 1.0) * REACH
         self._update = self.game.step({"command": "move", "displacement": wanted @ self._axes}, frames=FRAMES)
+        self.screen.follow(self.game)
         events = {event["event"] for event in self._update["events"]}
         fell, out = "fell" in events, "removed" in events
         moved, travel = self.others_moved(self._start), self._outward()

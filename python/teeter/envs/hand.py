@@ -9,6 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from teeter import Game
+from teeter.envs.screen import RENDER_MODES, Screen
 
 #: Frames of a step: 20 steps a second.
 FRAMES = 3
@@ -36,10 +37,11 @@ def axes_of(quaternion: Vector) -> Vector:
 class HandEnv(gymnasium.Env[NDArray[np.float32], NDArray[np.float32]]):
     """An environment in which a hand holds one block."""
 
-    metadata: dict[str, Any] = {"render_modes": ["rgb_array"], "render_fps": 20}
+    metadata: dict[str, Any] = {"render_modes": RENDER_MODES, "render_fps": 20}
 
     _game: Game | None = None
     body: int = 0
+    screen: Screen
 
     @property
     def game(self) -> Game:
@@ -60,6 +62,10 @@ class HandEnv(gymnasium.Env[NDArray[np.float32], NDArray[np.float32]]):
         distance[self.body] = 0.0
         return float(distance.max())
 
-    def render(self) -> NDArray[np.uint8]:
-        """Picture of the tower, uint8 of shape (480, 640, 3)."""
-        return self.game.world.render(640, 480)
+    def render(self) -> NDArray[np.uint8] | None:
+        """Picture of the tower, uint8 of shape (480, 640, 3); None where a page of the browser shows it."""
+        return self.screen.picture(self.game)
+
+    def close(self) -> None:
+        """Closes the page of the browser."""
+        self.screen.close()

@@ -11,6 +11,7 @@ from numpy.typing import NDArray
 
 from teeter import Game
 from teeter.envs.hand import BOUND, FRAMES, REACH, HandEnv, axes_of
+from teeter.envs.screen import Screen
 from teeter.envs.tower import DOMAIN, checked_rows, draw_scene
 
 Floats = NDArray[np.float32]
@@ -46,6 +47,7 @@ class PlaceEnv(HandEnv):
         render_mode: str | None = None,
     ) -> None:
         self.rows, self.domain, self.render_mode = checked_rows(rows), dict(domain), render_mode
+        self.screen = Screen(render_mode, self.metadata["render_fps"])
         self.action_space = spaces.Box(-1.0, 1.0, (5,), np.float32)
         self.observation_space = spaces.Box(-BOUND, BOUND, (14,), np.float32)
 
@@ -69,6 +71,7 @@ class PlaceEnv(HandEnv):
         slots = self.game.slots(self.body)
         self._slot = slots[int(self.np_random.integers(len(slots)))]
         self._moved, self._distance = 0.0, self._offset()
+        self.screen.follow(self.game)
         return self._observation(), {"body": self.body, "slot": (self._slot["row"], self._slot["cell"])}
 
     def step(self, action: Floats) -> tuple[Floats, float, bool, bool, dict[str, Any]]:
@@ -80,12 +83,14 @@ class PlaceEnv(HandEnv):
         turned = self.game.step({"command": "turn", "rotation": [0.0, 0.0, np.sin(half), np.cos(half)]})
         moved_on = self.game.step({"command": "move", "displacement": wanted[:3] * REACH}, frames=FRAMES - 1)
         self._update = moved_on
+        self.screen.follow(self.game)
         fell = any(event["event"] == "fell" for event in turned["events"] + moved_on["events"])
         reward = self._progress() - (10.0 if fell else 0.0)
         return self._observation(), reward, fell, False, self._info(fell, placed=False)
 
     def _let_go(self) -> tuple[Floats, float, bool, bool, dict[str, Any]]:
         self._update = self.game.step("release", frames=AFTER)
+        self.screen.follow(self.game)
         fell = any(event["event"] == "fell" for event in self._update["events"])
         placed = not fell and self._offset() < IN_SLOT and abs(self._angle()) < ASKEW
         reward = self._progress() + (10.0 if placed else -10.0)

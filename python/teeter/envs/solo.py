@@ -11,6 +11,7 @@ from gymnasium import spaces
 from numpy.typing import NDArray
 
 from teeter import Game
+from teeter.envs.screen import RENDER_MODES, Screen
 from teeter.envs.tower import (
     DOMAIN,
     carry_out,
@@ -39,7 +40,7 @@ class SoloEnv(gymnasium.Env[Observation, np.int64]):
     "person", "none" or a dict. domain: ranges of the options of a tower, drawn in each episode.
     """
 
-    metadata: dict[str, Any] = {"render_modes": ["rgb_array"], "render_fps": 1}
+    metadata: dict[str, Any] = {"render_modes": RENDER_MODES, "render_fps": 1}
 
     def __init__(
         self,
@@ -52,6 +53,7 @@ class SoloEnv(gymnasium.Env[Observation, np.int64]):
         self.rows = checked_rows(rows)
         self.parts = checked_parts(observe)
         self.noise, self.domain, self.render_mode = noise, dict(domain), render_mode
+        self.screen = Screen(render_mode, self.metadata["render_fps"])
         blocks = 3 * self.rows
         self.action_space = spaces.Discrete(3 * blocks)
         mask = {"action_mask": spaces.MultiBinary(3 * blocks)}
@@ -73,6 +75,7 @@ class SoloEnv(gymnasium.Env[Observation, np.int64]):
         scene = (options or {}).get("scene") or draw_scene(self.np_random, self.rows, self.domain)
         self._game = Game(scene, "solo", 1)
         self._game.settle()
+        self.screen.follow(self._game)
         mask = self._mask()
         return self._observation(mask), self._info(mask)
 
@@ -84,15 +87,20 @@ class SoloEnv(gymnasium.Env[Observation, np.int64]):
             return self._observation(mask), -1.0, False, False, self._info(mask) | {"illegal": True}
         before = self._score()
         result = carry_out(self.game, int(action), seed, self.noise)
+        self.screen.follow(self.game)
         reward = float(self._score() - before) - (0.1 if result["end"] == "stuck" else 0.0)
         mask = self._mask()
         terminated = bool(result["fell"]) or not mask.any()
         result.pop("events")
         return self._observation(mask), reward, terminated, False, self._info(mask) | {"move": result}
 
-    def render(self) -> NDArray[np.uint8]:
-        """Picture of the tower, uint8 of shape (480, 640, 3)."""
-        return self.game.world.render(640, 480)
+    def render(self) -> NDArray[np.uint8] | None:
+        """Picture of the tower, uint8 of shape (480, 640, 3); None where a page of the browser shows it."""
+        return self.screen.picture(self.game)
+
+    def close(self) -> None:
+        """Closes the page of the browser."""
+        self.screen.close()
 
     def _score(self) -> int:
         turn = self.game.turn

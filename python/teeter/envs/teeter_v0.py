@@ -17,6 +17,7 @@ from pettingzoo import AECEnv
 from pettingzoo.utils import wrappers
 
 from teeter import Game
+from teeter.envs.screen import RENDER_MODES, Screen
 from teeter.envs.tower import (
     DOMAIN,
     carry_out,
@@ -46,7 +47,7 @@ class TeeterAEC(AECEnv[str, dict[str, Any], int]):
 
     metadata: dict[str, Any] = {
         "name": "teeter_v0",
-        "render_modes": ["rgb_array"],
+        "render_modes": RENDER_MODES,
         "is_parallelizable": False,
         "render_fps": 1,
     }
@@ -68,6 +69,7 @@ class TeeterAEC(AECEnv[str, dict[str, Any], int]):
         self.rows, self.rules, self.parts = checked_rows(rows), rules, checked_parts(observe)
         self.noise, self.domain = noise, dict(domain)
         self.max_moves, self.render_mode = max_moves, render_mode
+        self.screen = Screen(render_mode, self.metadata["render_fps"])
         self.possible_agents = [f"player_{i}" for i in range(num_players)]
         self.agents: list[str] = []
         blocks = 3 * self.rows
@@ -103,6 +105,7 @@ class TeeterAEC(AECEnv[str, dict[str, Any], int]):
         self.agents = list(self.possible_agents)
         self._game = Game(scene, self.rules, len(self.agents))
         self._game.settle()
+        self.screen.follow(self._game)
         self._moves = 0
         self.rewards = dict.fromkeys(self.agents, 0.0)
         self._cumulative_rewards = dict.fromkeys(self.agents, 0.0)
@@ -146,19 +149,21 @@ class TeeterAEC(AECEnv[str, dict[str, Any], int]):
         self._accumulate_rewards()
 
     def render(self) -> NDArray[np.uint8] | None:
-        """Picture of the tower, uint8 of shape (480, 640, 3); None without a render mode."""
+        """Picture of the tower, uint8 of shape (480, 640, 3); None without a render mode, and with a page."""
         if self.render_mode is None:
             gymnasium.logger.warn("render() was called without a render mode")
             return None
-        return self.game.world.render(640, 480)
+        return self.screen.picture(self.game)
 
     def close(self) -> None:
-        """Ends the game."""
+        """Ends the game, and closes the page of the browser."""
         self._game = None
+        self.screen.close()
 
     def _carry_out(self, agent: str, action: int, seed: int) -> None:
         player = self._player()
         carry_out(self.game, action, seed, self.noise)
+        self.screen.follow(self.game)
         turn = self.game.turn or {}
         if self._is_over():
             outcome = turn["outcome"]
