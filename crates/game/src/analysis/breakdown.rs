@@ -6,7 +6,7 @@ use teeter_physics::{BodyId, BuildError, World};
 use crate::analysis::candidate::Candidate;
 use crate::analysis::move_log::{FallAnalysis, MoveLog, Played};
 use crate::analysis::proportion::Proportion;
-use crate::analysis::survey::{Survey, SurveyRun};
+use crate::analysis::survey::{ALMOST, Survey, SurveyRun};
 use crate::player::stage::MovePlan;
 use crate::record::error::RecordError;
 use crate::record::file::Record;
@@ -147,7 +147,7 @@ impl<'a> BreakdownRun<'a> {
         self.is_replayed() && self.moves.len() == self.log.moves.len()
     }
 
-    /// Part of the work that is done, 0 to 1.
+    /// Part of the work that is done, 0 to 1, and 1 only at the end.
     pub fn progress(&self) -> f64 {
         if self.is_done() {
             return 1.0;
@@ -155,7 +155,8 @@ impl<'a> BreakdownRun<'a> {
         let replayed = f64::from(self.replay.frame()) / f64::from(self.replay.record().frames().max(1));
         let trial = self.trial.as_ref().map_or(0.0, |trial| trial.run.progress());
         let tried = (self.moves.len() as f64 + trial) / self.log.moves.len().max(1) as f64;
-        REPLAYING * replayed + if self.is_replayed() { (1.0 - REPLAYING) * tried } else { 0.0 }
+        let tried = if self.is_replayed() { (1.0 - REPLAYING) * tried } else { 0.0 };
+        (REPLAYING * replayed + tried).min(ALMOST)
     }
 
     /// Replays a second, or makes a rollout.

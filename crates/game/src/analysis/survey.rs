@@ -11,6 +11,8 @@ use crate::rules::table::Rules;
 
 /// Largest number of rollouts of a move.
 const MAX_ROUNDS: u32 = 1000;
+/// Largest progress of work that is not done: callers end at 1.
+pub const ALMOST: f64 = 0.999;
 
 /// Rollouts of a move, summed.
 ///
@@ -155,15 +157,15 @@ impl SurveyRun {
         self.plans.is_empty() || (self.next == 0 && is_spent)
     }
 
-    /// Part of the budget that is spent, 0 to 1; in the first round at most the part of the plans
-    /// that are tried.
+    /// Part of the budget that is spent, 0 to 1, and 1 only at the end; in the first round at most the
+    /// part of the plans that are tried.
     pub fn progress(&self) -> f64 {
         if self.is_done() {
             return 1.0;
         }
         let of_budget = if self.survey.budget > 0.0 { self.spent / self.survey.budget } else { 1.0 };
         let of_round = if self.round == 0 { self.next as f64 / self.plans.len() as f64 } else { 1.0 };
-        of_budget.min(of_round).min(1.0)
+        of_budget.min(of_round).min(ALMOST)
     }
 
     /// Results so far, one of each plan.

@@ -2,9 +2,9 @@
 
 use crate::common::{settled, tower};
 use teeter_game::{
-    Candidate, Event, Game, MoveEnd, MovePlan, Opponent, Phase, Record, RecordWriter, Recorder, Replay, Rules,
-    Strength, Survey, Table, Tally, Thinking, Thought, TrialErrors, choose, contest, load_world, roll_out, save_world,
-    verify,
+    BreakdownRun, Candidate, Event, Game, MoveEnd, MovePlan, Opponent, Phase, Record, RecordWriter, Recorder, Replay,
+    Rules, Strength, Survey, Table, Tally, Thinking, Thought, TrialErrors, choose, contest, load_world, roll_out,
+    save_world, verify,
 };
 use teeter_physics::{BodyId, Params, World};
 use teeter_scene::{TowerOptions, config};
@@ -64,6 +64,23 @@ fn threads_change_no_bit_of_a_survey_or_of_a_choice() {
     let (one, two) = (in_threads(1, think), in_threads(2, think));
     assert_eq!(one, two);
     assert!(one.iter().all(|considered| considered.tally.falls.tries >= 1));
+}
+
+#[test]
+fn progress_is_one_only_when_every_move_is_analysed() {
+    let scene = config("(010)-(101)-(010)-(111)", &TowerOptions::default()).expect("the notation is valid");
+    let game = contest(&scene, official(), &[Strength::Random.thinking(); 2], 1).expect("the game begins");
+    for budget in [0.0, 60.0] {
+        let survey = Survey { rules: official(), errors: TrialErrors::default(), budget, seed: 1 };
+        let mut run = BreakdownRun::new(Replay::new(&game.record).expect("it is a record"), survey);
+        while !run.is_done() {
+            assert!(run.progress() < 1.0, "{}", run.progress());
+            run.step().expect("estimates are towers");
+        }
+        assert_eq!(run.progress(), 1.0);
+        let breakdown = run.finish();
+        assert!(breakdown.fall.is_some() && breakdown.moves.last().expect("a block was taken").fell);
+    }
 }
 
 #[test]
