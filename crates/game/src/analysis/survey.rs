@@ -157,8 +157,8 @@ impl SurveyRun {
         self.plans.is_empty() || (self.next == 0 && is_spent)
     }
 
-    /// Part of the budget that is spent, 0 to 1, and 1 only at the end; in the first round at most the
-    /// part of the plans that are tried.
+    /// Part of the budget that is spent, 0 to 1, and 1 only at the end; in the first round at most
+    /// the part of the plans that are tried.
     pub fn progress(&self) -> f64 {
         if self.is_done() {
             return 1.0;
