@@ -146,6 +146,9 @@ test('practice takes turns back to the same state, even after a fall', async () 
   expect(await page.evaluate(() => window.teeter.state)).toBe('standing');
   await session.rebuild(() => page.click('#undo'));
   expect(await page.evaluate(() => window.teeter.turn)).toMatchObject({ number: 1, phase: 'choosing' });
+  // The button ends, and with it what the keys go to.
+  await page.waitForFunction(() => document.querySelector<HTMLButtonElement>('#undo')!.disabled);
+  await page.evaluate(() => (document.activeElement as HTMLElement | null)?.blur());
   await page.keyboard.press(' ');
   await page.waitForFunction(() => window.teeter.paused);
   expect(await hash()).toMatch(/^[0-9a-f]{16}$/);
