@@ -137,7 +137,7 @@ def test_a_picture_stands_for_the_view_where_there_are_no_widgets():
 
 
 def test_a_missing_part_is_an_error_with_the_command_to_run(monkeypatch, tmp_path):
-    monkeypatch.setattr(notebook, "_BUNDLE", tmp_path / "widget.js")
+    monkeypatch.setattr(notebook.bundle, "BUNDLE", tmp_path / "widget.js")
     with pytest.raises(teeter.UnavailableError, match="make page"):
         notebook.show("column")
     monkeypatch.setattr(notebook, "find_spec", lambda name: None)

@@ -16,7 +16,7 @@ from teeter.envs.teeter_v0 import env as game
 from teeter.envs.window import Window
 from teeter.errors import UnavailableError
 
-needs_view = pytest.mark.skipif(not module.BUNDLE.exists(), reason="the view is not built: make page")
+needs_view = pytest.mark.skipif(not module.bundle.BUNDLE.exists(), reason="the view is not built: make page")
 
 
 @pytest.fixture
@@ -109,6 +109,6 @@ def test_a_person_sees_a_game_of_several_players(opened):
 
 
 def test_a_view_that_was_not_built_is_named(monkeypatch, tmp_path):
-    monkeypatch.setattr(module, "BUNDLE", tmp_path / "widget.js")
+    monkeypatch.setattr(module.bundle, "BUNDLE", tmp_path / "widget.js")
     with pytest.raises(UnavailableError, match="make page"):
         Window()

@@ -7,18 +7,15 @@ import json
 import threading
 import webbrowser
 from http.server import BaseHTTPRequestHandler, ThreadingHTTPServer
-from pathlib import Path
 from typing import Any
 
 import numpy as np
 
-import teeter
 from teeter import World
-from teeter.errors import UnavailableError
+from teeter.notebook import bundle
 
 __all__ = ["Window"]
 
-BUNDLE = Path(teeter.__file__).parent / "notebook" / "static" / "widget.js"
 #: Time after which a page without news is told that there is none, s.
 QUIET = 10.0
 SECURITY = "default-src 'self'; style-src 'self' 'unsafe-inline'; img-src 'self' data: blob:; object-src 'none'"
@@ -72,8 +69,7 @@ class Window:
     """
 
     def __init__(self) -> None:
-        if not BUNDLE.exists():
-            raise UnavailableError("the widget was not built: run `make page`", "widget")
+        bundle.require()
         self._news = threading.Condition()
         self._state: str | None = None
         self._number = 0
@@ -138,7 +134,7 @@ class _Handler(BaseHTTPRequestHandler):
         elif self.path == "/window.js":
             self._send("text/javascript; charset=utf-8", SCRIPT.encode())
         elif self.path == "/widget.js":
-            self._send("text/javascript; charset=utf-8", BUNDLE.read_bytes())
+            self._send("text/javascript; charset=utf-8", bundle.require().read_bytes())
         else:
             self.send_error(404)
 

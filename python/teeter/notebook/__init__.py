@@ -16,13 +16,13 @@ Drag to rotate the view, hold Ctrl and turn the wheel to zoom, click a block to 
 from __future__ import annotations
 
 from importlib.util import find_spec
-from pathlib import Path
 from typing import TYPE_CHECKING
 
 from numpy.typing import ArrayLike
 
 from teeter import Game, Record, World
 from teeter.errors import InputError, UnavailableError
+from teeter.notebook import bundle
 
 if TYPE_CHECKING:
     from teeter._teeter import SceneLike
@@ -30,16 +30,13 @@ if TYPE_CHECKING:
 
 __all__ = ["scrub", "show", "xray"]
 
-_BUNDLE = Path(__file__).parent / "static" / "widget.js"
-
 
 def _check(height: int) -> None:
     for package, distribution in (("anywidget", "anywidget"), ("PIL", "pillow")):
         if find_spec(package) is None:
             message = f"{distribution} is not installed: pip install 'teeter[notebook]'"
             raise UnavailableError(message, distribution)
-    if not _BUNDLE.exists():
-        raise UnavailableError("the widget was not built: run `make page`", "widget")
+    bundle.require()
     if type(height) is not int or not 100 <= height <= 4000:
         raise InputError(f"`height` is {height!r}, expected 100 to 4000 px", "height")
 

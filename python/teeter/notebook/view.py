@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import base64
 import weakref
-from pathlib import Path
 from typing import Any
 
 import anywidget
@@ -14,6 +13,7 @@ from numpy.typing import NDArray
 
 from teeter import Game, World
 from teeter.notebook import stills
+from teeter.notebook.bundle import BUNDLE
 
 __all__ = ["View"]
 
@@ -32,7 +32,7 @@ class View(anywidget.AnyWidget):
     height: of the picture, px.
     """
 
-    _esm = Path(__file__).parent / "static" / "widget.js"
+    _esm = BUNDLE
 
     sizes = traitlets.Bytes().tag(sync=True)
     poses = traitlets.Bytes().tag(sync=True)
