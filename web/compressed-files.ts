@@ -1,6 +1,6 @@
 // A step of the build: writes files beside those of the page, compressed for browsers that take it.
 
-import { readdirSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
+import { readdirSync, readFileSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { brotliCompressSync, constants } from 'node:zlib';
 import type { Plugin } from 'vite';
@@ -9,7 +9,7 @@ import type { Plugin } from 'vite';
 export const COMPRESSED = '.br';
 
 /** Returns the content compressed by Brotli, as small as it gets. */
-export const compress = (content: Uint8Array): Buffer =>
+const compress = (content: Uint8Array): Buffer =>
   brotliCompressSync(content, {
     params: {
       [constants.BROTLI_PARAM_QUALITY]: constants.BROTLI_MAX_QUALITY,
@@ -18,7 +18,7 @@ export const compress = (content: Uint8Array): Buffer =>
     },
   });
 
-/** Compresses each file of the folder that gets smaller by it. Pictures already are. */
+/** Compresses each file of a new build that gets smaller by it. Pictures already are. */
 export function compressedFiles(folder: string): Plugin {
   return {
     name: 'compressed-files',
@@ -27,11 +27,10 @@ export function compressedFiles(folder: string): Plugin {
     closeBundle() {
       for (const entry of readdirSync(folder, { recursive: true, withFileTypes: true })) {
         const path = join(entry.parentPath, entry.name);
-        if (!entry.isFile() || /\.(png|webp|jpg|br)$/.test(path)) continue;
+        if (!entry.isFile() || /\.(png|webp|jpg)$/.test(path)) continue;
         const plain = readFileSync(path);
         const small = compress(plain);
         if (small.length < plain.length) writeFileSync(path + COMPRESSED, small);
-        else rmSync(path + COMPRESSED, { force: true });
       }
     },
   };

@@ -54,7 +54,7 @@ fn thinking_of(field: &str, object: &Bound<'_, PyAny>) -> PyResult<Thinking> {
 /// Manner of thinking of a strength, a dict that Opponent and contest take as well: candidates, the
 /// number of blocks that are tried; is_ranked, True when these are the best ones; budget, the
 /// simulated time of all rollouts of a move, s; errors of the estimate: height (m), friction (a
-/// share), position (m); trouble; risk.
+/// share), position (m); trouble; risk; foresight.
 ///
 /// Raises InputError.
 #[pyfunction]

@@ -29,7 +29,7 @@ const watchTasks = () => {
 };
 
 test('the page can be used after it was opened', async () => {
-  await using session = await Session.open(chrome, SMALL, { before: page => page.addInitScript(watchTasks) });
+  await using session = await Session.open(chrome, SMALL);
   const seconds = await session.page.evaluate(() => performance.now() / 1000);
   console.log(`from the address to a standing tower that can be pulled  ${seconds.toFixed(2)} s`);
 });

@@ -27,7 +27,7 @@ pub fn prospect(blocks: &Blocks, rules: &Rules) -> f64 {
         && rules.target == Target::OnTop
         && rules.points.is_none()
         && rules.die.is_none();
-    let position = IdealPosition::of(blocks).filter(|_| is_counted);
+    let position = if is_counted { IdealPosition::of(blocks) } else { None };
     let won = position.filter(|position| position.is_won());
     won.map_or(0.0, |position| libm::pow(GOES_ON, f64::from(position.moves_left())))
 }
