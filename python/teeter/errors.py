@@ -15,7 +15,7 @@ Each has a message of one line that says which block or field, its value, and wh
       StudyError       (ValueError)   a study, its parameters or its folder; a sample that failed
       WorkerError      (RuntimeError) a worker of a study that ended before its samples were done
       InterchangeError (ValueError)   a file of another program that has no counterpart here
-      EngineError      (RuntimeError) an engine of the benchmark that is absent or breaks its protocol
+      EngineError      (RuntimeError) an engine of the benchmark that is unknown or breaks its protocol
       UnavailableError (RuntimeError) a part of the package that was not installed or built
 """
 
@@ -105,7 +105,7 @@ class InterchangeError(TeeterError, ValueError):
 
 
 class EngineError(TeeterError, RuntimeError):
-    """Engine of the benchmark that is absent, fails or breaks its protocol."""
+    """Engine of the benchmark that is unknown, fails or breaks its protocol."""
 
 
 class UnavailableError(TeeterError, RuntimeError):

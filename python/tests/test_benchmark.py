@@ -10,7 +10,7 @@ import numpy as np
 import pytest
 
 import teeter
-from teeter import EngineError, scenes
+from teeter import EngineError, UnavailableError, scenes
 from teeter.benchmark import ENGINES, FRAME, ClockedEngine, Engine, Options, load_engine, markdown, run
 from teeter.benchmark.__main__ import main as program
 from teeter.benchmark.tasks import forces, labelled, tilt
@@ -206,6 +206,25 @@ def test_what_is_no_engine_is_named(name):
     with pytest.raises(EngineError) as caught:
         load_engine(name)
     assert caught.value.field == "engine" and "\n" not in str(caught.value)
+
+
+def test_an_engine_whose_program_is_not_installed_says_what_to_do(monkeypatch):
+    monkeypatch.delenv("TEETER_RAPIER", raising=False)
+    monkeypatch.setenv("PATH", "")
+    with pytest.raises(UnavailableError, match=r"rapier-lines.*docs/benchmark\.md"):
+        load_engine("rapier")
+    monkeypatch.setitem(sys.modules, "mujoco", None)
+    with pytest.raises(UnavailableError, match="pip install"):
+        load_engine("mujoco")
+
+
+def test_warnings_of_mujoco_leave_no_file_behind(tmp_path, monkeypatch, caplog):
+    monkeypatch.chdir(tmp_path)
+    engine = load_engine("mujoco")
+    engine.load(scenes.named("block"))
+    engine.step(0.1, {0: [1e30, 0.0, 0.0]})
+    assert "Nan, Inf or huge value" in caplog.text
+    assert not list(tmp_path.iterdir())
 
 
 def test_an_engine_that_breaks_its_protocol_is_named():

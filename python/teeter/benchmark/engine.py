@@ -13,7 +13,7 @@ from typing import Any, Protocol, runtime_checkable
 import numpy as np
 from numpy.typing import NDArray
 
-from teeter.errors import EngineError
+from teeter.errors import EngineError, TeeterError
 
 __all__ = ["ENGINES", "FRAME", "Engine", "load_engine"]
 
@@ -67,7 +67,8 @@ ENGINES: dict[str, str] = {
 def load_engine(name: str) -> Engine:
     """Makes an engine: one of ENGINES, ``module:Class`` or ``file.py:Class``.
 
-    Raises EngineError where there is none, its package is missing, or it is not of the protocol.
+    Raises EngineError where there is none or it is not of the protocol, and UnavailableError where its
+    package or program is missing.
     """
     where, colon, attribute = ENGINES.get(name, name).rpartition(":")
     if not colon or not where or not attribute:
@@ -76,7 +77,7 @@ def load_engine(name: str) -> Engine:
     module = _module(where, name)
     try:
         engine = getattr(module, attribute)()
-    except EngineError:
+    except TeeterError:
         raise
     except Exception as error:
         raise EngineError(f"engine {name} cannot be made: {_one_line(error)}", "engine") from error
@@ -98,7 +99,7 @@ def _module(where: str, name: str) -> ModuleType:
             spec.loader.exec_module(module)
             return module
         return importlib.import_module(where)
-    except EngineError:
+    except TeeterError:
         raise
     except Exception as error:
         raise EngineError(f"engine {name} cannot be loaded: {_one_line(error)}", "engine") from error

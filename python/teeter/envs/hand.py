@@ -8,8 +8,8 @@ import gymnasium
 import numpy as np
 from numpy.typing import NDArray
 
-from teeter import Game
-from teeter.envs.screen import RENDER_MODES, Screen
+from teeter.envs.episode import Episode
+from teeter.envs.screen import RENDER_MODES
 
 #: Frames of a step: 20 steps a second.
 FRAMES = 3
@@ -34,21 +34,12 @@ def axes_of(quaternion: Vector) -> Vector:
     )
 
 
-class HandEnv(gymnasium.Env[NDArray[np.float32], NDArray[np.float32]]):
+class HandEnv(Episode, gymnasium.Env[NDArray[np.float32], NDArray[np.float32]]):
     """An environment in which a hand holds one block."""
 
     metadata: dict[str, Any] = {"render_modes": RENDER_MODES, "render_fps": 20}
 
-    _game: Game | None = None
     body: int = 0
-    screen: Screen
-
-    @property
-    def game(self) -> Game:
-        """Game of the episode."""
-        if self._game is None:
-            raise gymnasium.error.ResetNeeded("the environment was not reset")
-        return self._game
 
     @staticmethod
     def observation(*parts: Any) -> NDArray[np.float32]:
@@ -61,11 +52,3 @@ class HandEnv(gymnasium.Env[NDArray[np.float32], NDArray[np.float32]]):
         distance = np.linalg.norm(self.game.poses[:, :3] - before[:, :3], axis=1)
         distance[self.body] = 0.0
         return float(distance.max())
-
-    def render(self) -> NDArray[np.uint8] | None:
-        """Picture of the tower, uint8 of shape (480, 640, 3); None where a page of the browser shows it."""
-        return self.screen.picture(self.game)
-
-    def close(self) -> None:
-        """Closes the page of the browser."""
-        self.screen.close()

@@ -11,6 +11,7 @@ from gymnasium import spaces
 from numpy.typing import NDArray
 
 from teeter import Game
+from teeter.envs.episode import Episode
 from teeter.envs.screen import RENDER_MODES, Screen
 from teeter.envs.tower import (
     DOMAIN,
@@ -26,7 +27,7 @@ from teeter.envs.tower import (
 Observation = dict[str, NDArray[Any]]
 
 
-class SoloEnv(gymnasium.Env[Observation, np.int64]):
+class SoloEnv(Episode, gymnasium.Env[Observation, np.int64]):
     """One step is one whole move, carried out by a hand with the errors of a person.
 
     Action: 3 * block + cell, the block to take and the cell of the top row to put it in. ``info`` has
@@ -58,14 +59,6 @@ class SoloEnv(gymnasium.Env[Observation, np.int64]):
         self.action_space = spaces.Discrete(3 * blocks)
         mask = {"action_mask": spaces.MultiBinary(3 * blocks)}
         self.observation_space: spaces.Space[Any] = spaces.Dict({**space_of(self.parts, blocks), **mask})
-        self._game: Game | None = None
-
-    @property
-    def game(self) -> Game:
-        """Game of the episode."""
-        if self._game is None:
-            raise gymnasium.error.ResetNeeded("the environment was not reset")
-        return self._game
 
     def reset(
         self, *, seed: int | None = None, options: dict[str, Any] | None = None
@@ -93,14 +86,6 @@ class SoloEnv(gymnasium.Env[Observation, np.int64]):
         terminated = bool(result["fell"]) or not mask.any()
         result.pop("events")
         return self._observation(mask), reward, terminated, False, self._info(mask) | {"move": result}
-
-    def render(self) -> NDArray[np.uint8] | None:
-        """Picture of the tower, uint8 of shape (480, 640, 3); None where a page of the browser shows it."""
-        return self.screen.picture(self.game)
-
-    def close(self) -> None:
-        """Closes the page of the browser."""
-        self.screen.close()
 
     def _score(self) -> int:
         turn = self.game.turn

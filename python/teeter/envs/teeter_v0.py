@@ -17,6 +17,7 @@ from pettingzoo import AECEnv
 from pettingzoo.utils import wrappers
 
 from teeter import Game
+from teeter.envs.episode import Episode
 from teeter.envs.screen import RENDER_MODES, Screen
 from teeter.envs.tower import (
     DOMAIN,
@@ -33,7 +34,7 @@ from teeter.errors import InputError
 __all__ = ["TeeterAEC", "env", "raw_env"]
 
 
-class TeeterAEC(AECEnv[str, dict[str, Any], int]):
+class TeeterAEC(Episode, AECEnv[str, dict[str, Any], int]):
     """Players take turns, and the one in whose turn the tower falls loses.
 
     Action: 3 * block + cell, the block to take and the cell of the top row to put it in.
@@ -80,7 +81,6 @@ class TeeterAEC(AECEnv[str, dict[str, Any], int]):
         self.action_spaces = dict.fromkeys(self.possible_agents, self._action_space)
         self.observation_spaces = dict.fromkeys(self.possible_agents, self._observation_space)
         self._rng, _ = gymnasium.utils.seeding.np_random(None)
-        self._game: Game | None = None
 
     def observation_space(self, agent: str) -> spaces.Space[Any]:
         """Space of the observations of an agent."""
@@ -89,13 +89,6 @@ class TeeterAEC(AECEnv[str, dict[str, Any], int]):
     def action_space(self, agent: str) -> spaces.Space[Any]:
         """Space of the actions of an agent."""
         return self.action_spaces[agent]
-
-    @property
-    def game(self) -> Game:
-        """Game that is played."""
-        if self._game is None:
-            raise gymnasium.error.ResetNeeded("the environment was not reset")
-        return self._game
 
     def reset(self, seed: int | None = None, options: dict[str, Any] | None = None) -> None:
         """Builds the next tower."""
@@ -153,12 +146,12 @@ class TeeterAEC(AECEnv[str, dict[str, Any], int]):
         if self.render_mode is None:
             gymnasium.logger.warn("render() was called without a render mode")
             return None
-        return self.screen.picture(self.game)
+        return super().render()
 
     def close(self) -> None:
         """Ends the game, and closes the page of the browser."""
         self._game = None
-        self.screen.close()
+        super().close()
 
     def _carry_out(self, agent: str, action: int, seed: int) -> None:
         player = self._player()

@@ -2,24 +2,28 @@
 
 from __future__ import annotations
 
+import logging
 from collections.abc import Mapping, Sequence
 from typing import Any, ClassVar
 
 import numpy as np
 
 from teeter.benchmark.engine import Floats, Scene
-from teeter.errors import EngineError
+from teeter.errors import UnavailableError
 from teeter.interchange.mjcf_writer import DEFAULTS, RECIPE, Recipe, write_mjcf
 
 __all__ = ["DefaultMujoco", "MujocoEngine", "TunedMujoco", "import_mujoco"]
 
 
 def import_mujoco() -> Any:
-    """The package mujoco. Raises EngineError where it is not installed."""
+    """The package mujoco; it logs its warnings. Raises UnavailableError where it is not installed."""
     try:
         import mujoco
     except ImportError as error:
-        raise EngineError("engine mujoco needs its package: pip install 'teeter[benchmark]'", "engine") from error
+        message = "engine mujoco needs its package: pip install 'teeter[benchmark]'"
+        raise UnavailableError(message, "engine") from error
+    # Without a handler MuJoCo writes warnings to a file in the working directory.
+    mujoco.set_mju_user_warning(logging.getLogger(__name__).warning)
     return mujoco
 
 

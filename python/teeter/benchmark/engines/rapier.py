@@ -16,7 +16,7 @@ from typing import Any
 import numpy as np
 
 from teeter.benchmark.engine import Floats, Scene
-from teeter.errors import EngineError
+from teeter.errors import EngineError, UnavailableError
 
 __all__ = ["DefaultRapier", "RapierEngine", "TunedRapier"]
 
@@ -28,7 +28,7 @@ def _program() -> str:
     path = os.environ.get(VARIABLE) or shutil.which(PROGRAM)
     if path is None:
         message = f"engine rapier needs the program {PROGRAM}, on the search path or in {VARIABLE}"
-        raise EngineError(f"{message}: see docs/benchmark.md", "engine")
+        raise UnavailableError(f"{message}: see docs/benchmark.md", "engine")
     return path
 
 
