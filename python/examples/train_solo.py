@@ -1,9 +1,9 @@
 """Learns which block to take in Teeter/Solo-v0, and compares with random play.
 
 A move is rated by a logistic regression of its features on the points that it brought without a fall. It
-takes some minutes on two cores and needs NumPy and Gymnasium alone::
+takes some minutes on two cores and needs NumPy and Gymnasium alone; the chart needs ``teeter[study]``::
 
-    python train_solo.py --steps 400 --curve curve.csv
+    python train_solo.py --rows 6 --envs 4 --steps 200 --curve curve.csv --chart curve.svg
 """
 
 from __future__ import annotations
@@ -108,6 +108,27 @@ def play(policy: Policy, arguments: argparse.Namespace, steps: int, explore: flo
     return scores
 
 
+def draw(at_random: list[float], curve: list[float], trained: list[float], path: str) -> None:
+    """Draws the scores of the episodes in training with their running mean, between both comparisons."""
+    from matplotlib.figure import Figure
+
+    from teeter.study import plot
+
+    figure = Figure(figsize=(6.0, 3.6), layout="constrained")
+    axes = figure.add_subplot()
+    axes.plot(np.arange(1, len(curve) + 1), curve, ".", color=plot.GREY, ms=4, label="an episode of training")
+    width = max(1, len(curve) // 10)
+    means = np.convolve(curve, np.ones(width) / width, "valid")
+    axes.plot(np.arange(len(means)) + (width + 1) / 2, means, color=plot.BLUE, label=f"mean of {width} episodes")
+    for scores, style, name in ((trained, "--", "trained, without exploring"), (at_random, ":", "random play")):
+        if scores:
+            axes.axhline(float(np.mean(scores)), color=plot.ORANGE, ls=style, label=f"{name}: {np.mean(scores):.1f}")
+    axes.set(xlabel="episode", ylabel="points", ylim=(0, None))
+    axes.spines[["top", "right"]].set_visible(False)
+    axes.legend(fontsize=8)
+    plot.save(figure, path)
+
+
 def main() -> None:
     """Trains, and prints the mean score of random play and of the trained policy."""
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
@@ -117,6 +138,7 @@ def main() -> None:
     parser.add_argument("--test-steps", type=int, default=60, help="steps of each comparison")
     parser.add_argument("--seed", type=int, default=1)
     parser.add_argument("--curve", help="file for the scores of the episodes in training, CSV")
+    parser.add_argument("--chart", help="file for a picture of them, SVG or PNG")
     arguments = parser.parse_args()
     policy = Policy(np.random.default_rng(arguments.seed))
     at_random = play(policy, arguments, arguments.test_steps, explore=1.0, learn=False)
@@ -125,6 +147,8 @@ def main() -> None:
     if arguments.curve:
         with open(arguments.curve, "w", newline="") as file:
             csv.writer(file).writerows([("episode", "score"), *enumerate(curve)])
+    if arguments.chart:
+        draw(at_random, curve, trained, arguments.chart)
     for start in range(0, len(curve), max(1, len(curve) // 8)):
         part = curve[start : start + max(1, len(curve) // 8)]
         print(f"episodes {start + 1:4} to {start + len(part):4}: {np.mean(part):5.1f} points")

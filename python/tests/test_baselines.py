@@ -39,10 +39,11 @@ def test_a_score_follows_from_the_seed_and_a_steady_player_is_no_worse_than_a_ra
 
 
 @pytest.mark.skipif(not EXAMPLES.exists(), reason="the examples are not a part of the package")
-def test_the_training_example_learns_and_says_so():
+def test_the_training_example_learns_and_draws_its_curve(tmp_path):
+    chart = tmp_path / "curve.svg"
     command = [sys.executable, str(EXAMPLES / "train_solo.py"), "--rows", "4", "--envs", "2", "--steps", "6"]
     done = subprocess.run(
-        [*command, "--test-steps", "4"],
+        [*command, "--test-steps", "4", "--chart", str(chart)],
         capture_output=True,
         text=True,
         timeout=600,
@@ -51,3 +52,4 @@ def test_the_training_example_learns_and_says_so():
     assert done.returncode == 0, done.stderr
     assert re.search(r"^random .* points an episode", done.stdout, re.MULTILINE)
     assert re.search(r"^trained .* points an episode", done.stdout, re.MULTILINE)
+    assert "an episode of training" in chart.read_text()

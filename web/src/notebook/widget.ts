@@ -5,6 +5,7 @@ import { text } from '../messages';
 import { create, setText } from '../ui/dom';
 import { describe } from '../xray/appearance';
 import { isLoose, readings, type Reading } from '../xray/readings';
+import { fillScale } from '../xray/scale';
 import { Camera } from './camera';
 import { floats, follow, type Model } from './model';
 import { Motion } from './motion';
@@ -18,7 +19,8 @@ const MESSAGE_INTERVAL = 0.25;
 class Widget {
   readonly element = create('div', { class: 'teeter-view', 'data-lm-suppress-shortcuts': 'true' });
   private readonly canvas = create('canvas', { tabindex: 0, role: 'img', 'aria-label': text.notebook.picture });
-  private readonly caption = create('div', { class: 'teeter-text', role: 'status' });
+  private readonly caption = create('div', { role: 'status' });
+  private readonly scale = scale();
   private readonly scrubber: Scrubber;
   private readonly picture: Picture;
   private motion = new Motion(new Float32Array(), 0);
@@ -31,7 +33,8 @@ class Widget {
   constructor(private readonly model: Model) {
     const labels = create('div', { class: 'teeter-figures', hidden: true });
     this.scrubber = new Scrubber({ toggle: () => this.toggle(), seek: frame => this.seek(frame) });
-    this.element.append(this.canvas, labels, this.caption, this.scrubber.element);
+    const words = create('div', { class: 'teeter-text' }, this.caption, this.scale);
+    this.element.append(this.canvas, labels, words, this.scrubber.element);
     this.picture = new Picture(this.canvas, labels);
     this.picture.advance = elapsed => this.advance(elapsed);
     new Camera(this.picture, body => this.select(body));
@@ -128,6 +131,7 @@ class Widget {
     const forces = floats(this.model.get('readings'));
     this.readings = bodies && forces.length === 2 * bodies.count ? readings(forces, bodies) : null;
     this.picture.xray(this.readings);
+    this.scale.hidden = this.readings === null;
     this.showCaption();
   }
 
@@ -150,6 +154,15 @@ class Widget {
     const loose = readings ? text.xray.loose(readings.filter(isLoose).length, readings.length) : '';
     setText(this.caption, reading ? describe(this.model.get('selected'), reading) : loose);
   }
+}
+
+/** Creates the legend of the X-ray's colours. */
+function scale(): HTMLElement {
+  const bar = create('div', { class: 'teeter-scale-bar' });
+  const ticks = create('div', { class: 'teeter-scale-ticks' });
+  fillScale(bar, ticks);
+  const words = create('div', {}, text.xray.scale);
+  return create('div', { class: 'teeter-scale', role: 'group', 'aria-label': text.xray.label }, words, bar, ticks);
 }
 
 /** Renders a view of a model into an element; returns a function that ends it. */

@@ -1,9 +1,10 @@
 // The switch and the legend of the X-ray.
 
-import { significant, text } from '../messages';
+import { text } from '../messages';
 import { element, onClick } from '../ui/dom';
 import { describe } from './appearance';
-import { colourOf, GRADIENT, isLoose, levelOf, LOOSE, TICKS, type Reading } from './readings';
+import { colourOf, isLoose, LOOSE, type Reading } from './readings';
+import { fillScale } from './scale';
 
 export interface XRayState {
   on: boolean;
@@ -22,15 +23,8 @@ export class XRayLegend {
 
   constructor(toggle: () => void) {
     onClick('xray-toggle', toggle);
-    element('xray-bar').style.background = GRADIENT;
+    fillScale(element('xray-bar'), element('xray-ticks'));
     element('xray-swatch').style.background = `rgb(${colourOf(LOOSE).map(c => Math.round(255 * c))})`;
-    const ticks = TICKS.map(force => {
-      const span = document.createElement('span');
-      span.textContent = significant(force, 2);
-      span.style.left = `${100 * levelOf(force)}%`;
-      return span;
-    });
-    element('xray-ticks').replaceChildren(...ticks);
   }
 
   show({ on, readings, paused, body, cramped }: XRayState): void {

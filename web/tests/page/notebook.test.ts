@@ -217,16 +217,20 @@ test('an X-ray colours the blocks, writes their forces, and a click describes on
   await using session = await open({ poses: tower(0), height: 300 });
   const { page } = session;
   const wood = await drawn(page);
+  expect(await page.isVisible('.teeter-scale')).toBe(false);
   await set(page, 'readings', forces.flat());
   await page.waitForSelector('.teeter-figures span:not([hidden])');
   expect((await drawn(page)).equals(wood)).toBe(false);
-  expect(await page.textContent('.teeter-text')).toBe(`2 of ${COUNT} loose`);
+  expect(await page.textContent('.teeter-text [role=status]')).toBe(`2 of ${COUNT} loose`);
   expect(await page.locator('.teeter-figures .marked').count()).toBe(2);
+  expect(await page.locator('.teeter-scale-ticks span').allTextContents()).toEqual(['0.1', '0.3', '1', '3', '10']);
   const box = (await page.locator('canvas').boundingBox())!;
   await page.mouse.click(box.x + box.width / 2, box.y + box.height / 2);
   const selected = Number(await value(page, 'selected'));
   expect(selected).toBeGreaterThanOrEqual(0);
-  expect(await page.textContent('.teeter-text')).toMatch(new RegExp(`^Block ${selected}: pull 0\\.\\d+ N, carries`));
+  expect(await page.textContent('.teeter-text [role=status]')).toMatch(
+    new RegExp(`^Block ${selected}: pull 0\\.\\d+ N, carries`),
+  );
   await page.mouse.click(box.x + 4, box.y + 4);
   expect(await value(page, 'selected')).toBe(-1);
 });
