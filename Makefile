@@ -14,14 +14,7 @@ page: ## Build the page into web/dist
 
 test: page ## Run every test: Rust, examples, Python, WebAssembly under node, the page in headless Chromium
 	tools/setup browser python
-	node --test tools/checks/tests/
-	cargo test --workspace --locked --features teeter-cli/page
-	tools/examples
-	tools/python test
-	tools/site
-	cargo test --workspace --locked --features teeter-cli/server --test play -- without_the_page
-	tools/build-wasm scalar
-	cd web && npm run test:wasm && npm run test:unit && npm run test:page
+	tools/test
 
 golden: ## Run the golden runs in every build and mode, and print the matrix
 	tools/setup rust node wasm
@@ -36,7 +29,7 @@ check: page ## Formatting, lints, words, documents and packages
 	tools/docs
 	cargo fmt --all --check
 	cargo clippy --workspace --all-targets --locked --features teeter-cli/page -- -D warnings
-	RUSTDOCFLAGS="-D warnings" cargo doc --workspace --no-deps --locked
+	RUSTDOCFLAGS="-D warnings" cargo doc --workspace --no-deps --locked --features teeter-cli/page
 	tools/package
 	tools/dependencies check
 	tools/setup python
