@@ -1,7 +1,7 @@
 //! Cost against error as SVG with logarithmic axes, in the colour scheme of the reader's system.
 //!
-//! Drawn by hand: `plotters`, which draws the charts of `crates/report`, writes fixed colours into the
-//! file and finds no free room for the names of points.
+//! Drawn by hand: `plotters`, which draws the charts of `crates/report`, writes fixed colours into
+//! the file and finds no free room for the names of points.
 
 use std::fmt::Write as _;
 
