@@ -1,37 +1,8 @@
-// Third parties: which crates and packages the programs contain, whether their licences, sources
-// and versions are accepted, and the notices that their licences ask for.
+// Third parties: which crates and packages the programs contain, and the notices that their
+// licences ask for. Which licences, sources and versions are accepted is in deny.toml.
 import { execFileSync } from 'node:child_process';
 import { existsSync, readdirSync, readFileSync } from 'node:fs';
 import { dirname, join } from 'node:path';
-
-/** Licences that ask for no more than a notice. */
-export const LICENCES = [
-  '0BSD',
-  'Apache-2.0',
-  'Apache-2.0 WITH LLVM-exception',
-  'BSD-2-Clause',
-  'BSD-3-Clause',
-  'BSL-1.0',
-  'CC0-1.0',
-  'ISC',
-  'MIT',
-  'MIT-0',
-  'Unicode-3.0',
-  'Unlicense',
-  'Zlib',
-];
-
-/** Source of every crate. */
-const REGISTRY = 'registry+https://github.com/rust-lang/crates.io-index';
-
-/** Crates of which Cargo.lock has several versions, with the reason. */
-export const DUPLICATES = {
-  'embedded-io': 'postcard names both as optional, and neither is built',
-  getrandom: 'ahash of parquet and proptest of the tests ask for different ones',
-  miniz_oxide: 'png asks for 0.8, flate2 for 0.9',
-  'r-efi': 'getrandom, in its two versions, for UEFI, which is not a target',
-  syn: 'derive macros at build time: serde and clap have moved to 3, others have not',
-};
 
 /** Targets whose programs the notices cover, with the packages and features built for them. */
 const SHELL = {
@@ -41,10 +12,9 @@ const SHELL = {
 };
 const PAGE = { roots: ['teeter-wasm', 'teeter-museum'], target: 'wasm32-unknown-unknown', features: '' };
 
-/** Runs cargo metadata; without a target for all of them. */
-function metadata({ target, features } = {}) {
-  const args = ['metadata', '--format-version', '1', '--locked'];
-  if (target) args.push('--filter-platform', target);
+/** Runs cargo metadata. */
+function metadata({ target, features }) {
+  const args = ['metadata', '--format-version', '1', '--locked', '--filter-platform', target];
   if (features) args.push('--features', features);
   return JSON.parse(execFileSync('cargo', args, { encoding: 'utf8', maxBuffer: 2 ** 28 }));
 }
@@ -68,63 +38,6 @@ export function linked({ packages, resolve }, roots) {
     }
   }
   return packages.filter(found => seen.has(found.id) && found.source !== null);
-}
-
-/**
- * Returns true if an SPDX expression can be met by accepted licences. `A/B` is an old form of
- * `A OR B`.
- */
-export function isAccepted(expression, accepted = LICENCES) {
-  const tokens = expression.replaceAll('/', ' OR ').match(/\(|\)|[^\s()]+/g) ?? [];
-  let at = 0;
-  const simple = () => {
-    if (tokens[at] === '(') {
-      at++;
-      const inside = any();
-      at++;
-      return inside;
-    }
-    let licence = tokens[at++];
-    if (tokens[at] === 'WITH') licence += ` WITH ${tokens[(at += 2) - 1]}`;
-    return accepted.includes(licence);
-  };
-  const all = () => {
-    let met = simple();
-    while (tokens[at] === 'AND') {
-      at++;
-      met = simple() && met;
-    }
-    return met;
-  };
-  const any = () => {
-    let met = all();
-    while (tokens[at] === 'OR') {
-      at++;
-      met = all() || met;
-    }
-    return met;
-  };
-  return tokens.length > 0 && any() && at === tokens.length;
-}
-
-/** Returns findings about licences, sources and duplicates of all packages of a lock file. */
-export function findings(packages) {
-  const found = [];
-  const versions = new Map();
-  for (const { name, version, source, license } of packages) {
-    if (source === null) continue;
-    if (source !== REGISTRY) found.push(`${name} ${version}: from ${source}, expected crates.io`);
-    if (!license || !isAccepted(license)) found.push(`${name} ${version}: licence ${license ?? 'not named'}`);
-    versions.set(name, [...(versions.get(name) ?? []), version]);
-  }
-  for (const [name, list] of versions) {
-    if (list.length > 1 && !(name in DUPLICATES))
-      found.push(`${name}: versions ${list.join(' and ')}, without a reason in DUPLICATES`);
-  }
-  for (const name of Object.keys(DUPLICATES)) {
-    if ((versions.get(name)?.length ?? 0) < 2) found.push(`${name}: has one version, remove it from DUPLICATES`);
-  }
-  return found;
 }
 
 /**
@@ -208,11 +121,4 @@ export function files() {
     ['crates/cli/licences.txt', notices(OWN, both)],
     ['web/public/licences.txt', notices(OWN, page)],
   ];
-}
-
-/** Returns findings about the lock file, for all targets and features. */
-export function check() {
-  const args = ['metadata', '--format-version', '1', '--locked', '--all-features'];
-  const all = JSON.parse(execFileSync('cargo', args, { encoding: 'utf8', maxBuffer: 2 ** 28 }));
-  return findings(all.packages);
 }
