@@ -27,7 +27,7 @@ export interface Listener<F extends Frame<TimedReport>> {
 
 /** `S` describes a world to build, `F` a frame. */
 export class Client<S = Setup, F extends Frame<TimedReport> = Frame> {
-  private readonly open = new Map<number, (value: never) => void>();
+  private readonly open = new Map<number, { resolve(value: unknown): void; reject(error: Error): void }>();
   private questions = 0;
   private commands = 0;
   /** Numbers of the last requested world and of the current one. */
@@ -89,7 +89,7 @@ export class Client<S = Setup, F extends Frame<TimedReport> = Frame> {
   protected inquire(question: object): Promise<unknown> {
     const id = ++this.questions;
     this.post({ type: 'ask', id, question });
-    return new Promise(resolve => this.open.set(id, resolve as (value: never) => void));
+    return new Promise((resolve, reject) => this.open.set(id, { resolve, reject }));
   }
 
   /** Sends a message that the worker knows. */
@@ -121,11 +121,23 @@ export class Client<S = Setup, F extends Frame<TimedReport> = Frame> {
         return this.listener.refused(message.message);
       case 'failed':
         return this.listener.failed(message.message);
-      case 'answer': {
-        const resolve = this.open.get(message.id) as ((value: unknown) => void) | undefined;
-        this.open.delete(message.id);
-        resolve?.(message.value);
+      case 'answer':
+        this.close(message.id)?.resolve(message.value);
+        return;
+      case 'invalid': {
+        const error = new Error(message.message);
+        const question = message.id === null ? undefined : this.close(message.id);
+        if (question) question.reject(error);
+        // A fault of the page, of which nothing depends on an answer.
+        else console.error(error);
       }
     }
+  }
+
+  /** Takes a question from those without an answer. */
+  private close(id: number) {
+    const question = this.open.get(id);
+    this.open.delete(id);
+    return question;
   }
 }

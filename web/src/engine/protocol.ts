@@ -234,5 +234,7 @@ export type FromWorker =
   | Deliberation
   /** The scene could not be built; the previous world goes on. */
   | { type: 'refused'; world: number; message: string }
+  /** A message that was not carried out: all is as it was. `id`: that of a question. */
+  | { type: 'invalid'; id: number | null; message: string }
   /** The worker cannot go on. */
   | { type: 'failed'; message: string };

@@ -18,3 +18,12 @@ export function guarded(failed: (message: string) => void): (action: () => void)
     }
   };
 }
+
+/**
+ * True for an error by which a reader or the engine refuses an input: a plain Error, after which
+ * all is as it was. A panic is a RuntimeError of WebAssembly, and a fault of the worker a TypeError
+ * or the like.
+ */
+export function isRefusal(error: unknown): error is Error {
+  return error instanceof Error && error.constructor === Error;
+}

@@ -7,12 +7,13 @@ import { Device } from './device';
 import { Game } from './game';
 import { FRAME, type GameCommand, type Update } from './game-protocol';
 import { Loop } from './loop';
+import { questionId, readMessage } from './message-reader';
 import { Speedometer } from './pacing';
 import type { Played } from './played';
 import type { FromWorker, Question, SceneEntry, Setup, StateHash, ToWorker, Watched } from './protocol';
 import { ReplayedGame } from './replayed-game';
 import { sceneText, type BuiltSource } from './scene';
-import { errorText, guarded } from './worker-errors';
+import { errorText, guarded, isRefusal } from './worker-errors';
 
 const seconds = () => performance.now() / 1000;
 const send = (message: FromWorker, transfer: Transferable[] = []) => self.postMessage(message, { transfer });
@@ -223,7 +224,17 @@ function valueOf(game: Played, question: Exclude<Question, { what: 'hashes' }>):
   }
 }
 
-function receive(message: ToWorker): void {
+/** Carries out a message. One that is refused changes nothing. */
+function receive(data: unknown): void {
+  try {
+    carryOut(readMessage(data));
+  } catch (error) {
+    if (!isRefusal(error)) throw error;
+    send({ type: 'invalid', id: questionId(data), message: errorText(error) });
+  }
+}
+
+function carryOut(message: ToWorker): void {
   switch (message.type) {
     case 'build':
       build(message);
@@ -261,7 +272,7 @@ load().then(
   exports => {
     memory = exports.memory;
     const list = JSON.parse(sceneList()) as SceneEntry[];
-    self.onmessage = (event: MessageEvent<ToWorker>) => guard(() => receive(event.data));
+    self.onmessage = (event: MessageEvent<unknown>) => guard(() => receive(event.data));
     send({ type: 'scenes', list });
   },
   (error: unknown) => send({ type: 'failed', message: `the engine did not load (${errorText(error)})` }),

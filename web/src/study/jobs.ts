@@ -106,4 +106,5 @@ export type FromStudy =
   /** Part of the work that is done, 0 to 1. */
   | { type: 'progress'; id: number; part: number }
   | { type: 'result'; id: number; value: unknown }
-  | { type: 'failed'; id: number; message: string };
+  /** `id`: null where the message was no job. */
+  | { type: 'failed'; id: number | null; message: string };

@@ -51,6 +51,7 @@ export class Pool {
   private hire(): Member {
     const worker = new Worker(new URL('./study-worker.ts', import.meta.url), { type: 'module' });
     worker.onmessage = ({ data }: MessageEvent<FromStudy>) => {
+      if (data.id === null) return;
       const job = this.open.get(data.id);
       if (data.type === 'progress') {
         job?.progress?.(data.part);

@@ -4,6 +4,7 @@ import load, { RecordAnalysis, Thought, TowerAnalysis } from '../wasm/teeter_was
 import { MoveCut } from './move-cut';
 import { Verification } from './verification';
 import { errorText } from '../engine/worker-errors';
+import { jobId, readStudyMessage } from './job-reader';
 import type { FromStudy, Job, RecordReport, ToStudy } from './jobs';
 
 /** Time between two reports of the progress, ms. */
@@ -90,10 +91,22 @@ async function run(id: number, job: Job): Promise<void> {
   }
 }
 
-self.onmessage = ({ data }: MessageEvent<ToStudy>) => {
-  if (data.type === 'stop') stopped.add(data.id);
-  else
-    queue = queue
-      .then(() => run(data.id, data.job))
-      .catch((error: unknown) => send({ type: 'failed', id: data.id, message: errorText(error) }));
-};
+/** Carries out a message, or answers why it cannot. */
+function receive(data: unknown): void {
+  const failed = (id: number | null) => (error: unknown) => send({ type: 'failed', id, message: errorText(error) });
+  let message: ToStudy;
+  try {
+    message = readStudyMessage(data);
+  } catch (error) {
+    failed(jobId(data))(error);
+    return;
+  }
+  const { id } = message;
+  if (message.type === 'stop') stopped.add(id);
+  else {
+    const { job } = message;
+    queue = queue.then(() => run(id, job)).catch(failed(id));
+  }
+}
+
+self.onmessage = ({ data }: MessageEvent<unknown>) => receive(data);
