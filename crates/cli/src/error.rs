@@ -10,8 +10,8 @@ use teeter_render::FilmError;
 use teeter_report::score::LabelledError;
 use teeter_report::validation::{DataSheetError, RealRowsError};
 use teeter_scene::{NAMED, SceneError, printable};
+use teeter_study::FieldError;
 
-use crate::json_fields::FieldError;
 use crate::message::message as print;
 
 /// Exit code for help and the like.

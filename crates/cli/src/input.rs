@@ -6,6 +6,7 @@ use std::path::Path;
 
 use teeter_game::{Record, RecordError};
 use teeter_scene::{MAX_BYTES, Scene, SceneError, Settlement, named, read_text, settle};
+use teeter_study::{InputsError, Timeline, read_inputs};
 
 use crate::error::{Error, InputError};
 
@@ -73,6 +74,15 @@ pub fn settled_scene(path: &Path) -> Result<(Scene, Settlement), Error> {
     let (mut scene, name) = unchecked_scene(path)?;
     let settlement = settle(&mut scene).map_err(|source| Error::Settle { name, source })?;
     Ok((scene, settlement))
+}
+
+/// Reads the inputs in a file, or on standard input for `-`, to the blocks of `scene`.
+pub fn inputs(path: &Path, scene: &Scene) -> Result<Timeline, Error> {
+    let (text, name) = text(path, MAX_BYTES)?;
+    read_inputs(&text, scene).map_err(|error| match error {
+        InputsError::Line { line, source } => Error::Inputs { name, line, source },
+        InputsError::Empty => Error::NoInputs { name },
+    })
 }
 
 /// Scene, or record of a game with its name for messages.

@@ -1,5 +1,6 @@
 #![doc = include_str!("../README.md")]
 
+mod changes;
 mod energy;
 mod ini;
 mod inputs;
@@ -23,10 +24,11 @@ pub struct Target {
 }
 
 /// All targets.
-pub const TARGETS: [Target; 6] = [
+pub const TARGETS: [Target; 7] = [
     Target { name: "scene", run: scene::run, seeds: scene::seeds },
     Target { name: "ini", run: ini::run, seeds: ini::seeds },
     Target { name: "snapshot", run: snapshot::run, seeds: snapshot::seeds },
+    Target { name: "changes", run: changes::run, seeds: changes::seeds },
     Target { name: "inputs", run: inputs::run, seeds: inputs::seeds },
     Target { name: "record", run: record::run, seeds: record::seeds },
     Target { name: "energy", run: energy::run, seeds: energy::seeds },

@@ -54,6 +54,11 @@ fn snapshots() {
 }
 
 #[test]
+fn changes() {
+    run("changes", 5000);
+}
+
+#[test]
 fn inputs() {
     run("inputs", 40);
 }

@@ -13,6 +13,10 @@ mod extraction;
 mod fall;
 mod force_map;
 mod hand_path;
+#[cfg(feature = "inputs")]
+mod inputs;
+#[cfg(feature = "inputs")]
+mod json_fields;
 mod limit_analysis;
 mod long_rest;
 mod max_height;
@@ -42,6 +46,10 @@ pub use extraction::{Extraction, extract};
 pub use fall::Footing;
 pub use force_map::{BlockForces, force_map, force_map_from};
 pub use hand_path::HandPath;
+#[cfg(feature = "inputs")]
+pub use inputs::{InputsError, MAX_CHANGE_TIME, read_inputs};
+#[cfg(feature = "inputs")]
+pub use json_fields::FieldError;
 pub use limit_analysis::{Breakaway, LimitError, Patch, RigidTower};
 pub use long_rest::{LongRest, long_rest};
 pub use max_height::{max_height, scene_height};

@@ -12,13 +12,13 @@ use teeter_game::Record;
 use teeter_render::{Camera, Film, FilmError, Format, GIF_FPS, Renderer, Size, View};
 use teeter_report::{OutFile, progress};
 use teeter_scene::Scene;
-use teeter_study::Timeline;
+use teeter_study::{MAX_CHANGE_TIME, Timeline};
 
 use crate::arguments::{EngineArguments, number};
 use crate::error::Error;
 use crate::input::{self, Subject};
+use crate::output;
 use crate::warnings::Warnings;
-use crate::{inputs, output};
 use motion::{Motion, Simulated, Stepped, Still};
 
 /// Default frame rates of films, 1/s. A GIF file counts in hundredths of a second.
@@ -40,7 +40,7 @@ pub struct Render {
     out: PathBuf,
     /// Simulated time of the picture or of the first one of a film, s; at 0 the scene is drawn as
     /// it stands.
-    #[arg(long, default_value_t = 0.0, value_parser = number(0.0, inputs::MAX_TIME), value_name = "SECONDS")]
+    #[arg(long, default_value_t = 0.0, value_parser = number(0.0, MAX_CHANGE_TIME), value_name = "SECONDS")]
     at: f64,
     /// Duration of a film, s [default: 5, and all that is left of a record].
     #[arg(long, value_parser = number(0.02, MAX_SECONDS))]
@@ -124,7 +124,7 @@ impl Render {
             source => Error::Film { name: name.clone(), source },
         };
         format.check(self.size, times.fps).map_err(film_error)?;
-        let timeline = self.inputs.as_deref().map_or(Ok(Timeline::default()), |path| inputs::read(path, &scene))?;
+        let timeline = self.inputs.as_deref().map_or(Ok(Timeline::default()), |path| input::inputs(path, &scene))?;
         // Before the simulation, so that a missing folder is reported before minutes of work.
         let file = OutFile::create(&self.out).map_err(|source| Error::Create { name: name.clone(), source })?;
         let mut film = Film::new(format, file, self.size, times.fps).map_err(film_error)?;

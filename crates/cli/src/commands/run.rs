@@ -9,14 +9,14 @@ use std::path::{Path, PathBuf};
 use clap::Args;
 use teeter_physics::{Params, World};
 use teeter_scene::Scene;
-use teeter_study::Timeline;
+use teeter_study::{MAX_CHANGE_TIME, Timeline};
 
 use crate::arguments::{EngineArguments, number};
 use crate::error::Error;
 use crate::output::Output;
 use crate::trace::Trace;
 use crate::warnings::Warnings;
-use crate::{input, inputs, output};
+use crate::{input, output};
 use simulation::Simulation;
 
 /// Arguments of `teeter run`.
@@ -26,7 +26,7 @@ pub struct Run {
     /// File of a scene, `-` for standard input, or the name of a scene of the list.
     scene: PathBuf,
     /// Time to simulate, s.
-    #[arg(long, default_value_t = 10.0, value_parser = number(0.02, inputs::MAX_TIME))]
+    #[arg(long, default_value_t = 10.0, value_parser = number(0.02, MAX_CHANGE_TIME))]
     seconds: f64,
     #[command(flatten)]
     engine: EngineArguments,
@@ -68,7 +68,7 @@ impl Run {
         }
         let mut warnings = Warnings::default();
         let scene = self.engine.material.apply(self.read(&mut warnings)?);
-        let timeline = self.inputs.as_deref().map_or(Ok(Timeline::default()), |path| inputs::read(path, &scene))?;
+        let timeline = self.inputs.as_deref().map_or(Ok(Timeline::default()), |path| input::inputs(path, &scene))?;
         let params = Params { ramp: self.ramp, ..self.engine.params(!self.no_sleep) };
         let world = World::new(&scene, params).map_err(|source| Error::Build { name: scene.name.clone(), source })?;
         // Before the run, so that a missing folder is reported before minutes of work.

@@ -1,20 +1,17 @@
-//! Inputs of a simulation from a file: a JSON object a line, each a change of the input at a time.
+//! Inputs of a simulation as text: a JSON object a line, each a change of the input at a time.
 
 use std::collections::BTreeMap;
-use std::path::Path;
 
 use glam::DVec3;
 use serde_json::Value;
 use teeter_physics::{AppliedForce, BodyId, Drive, Grip, Hand};
-use teeter_scene::{MAX_BYTES, Scene};
-use teeter_study::{Change, HandMotion, HandOrientation, Timeline};
+use teeter_scene::Scene;
 
-use crate::error::Error;
-use crate::input;
 use crate::json_fields::{FieldError, Fields, Kind, parse};
+use crate::timeline::{Change, HandMotion, HandOrientation, Timeline};
 
-/// Maximum time of a change, s: that of a run.
-pub const MAX_TIME: f64 = 86_400.0;
+/// Maximum time of a change, s.
+pub const MAX_CHANGE_TIME: f64 = 86_400.0;
 /// Maximum gravity, m/s²: that of a scene.
 const MAX_GRAVITY: f64 = 100.0;
 /// Maximum force of a drive, N, and torque of a hand, N m: far above any block of a scene.
@@ -47,25 +44,52 @@ const DRIVE: Kind = Kind {
     aliases: &[("body", "block"), ("id", "block"), ("force", "max_force"), ("speed", "velocity")],
 };
 
+/// Text that is not inputs of a scene.
+#[derive(Debug, PartialEq, thiserror::Error)]
+pub enum InputsError {
+    /// Line that is not a change.
+    #[error("line {line}: {source}")]
+    Line {
+        /// Line, from 1.
+        line: usize,
+        /// Cause.
+        source: FieldError,
+    },
+    /// Text without a line.
+    #[error("no inputs, expected one JSON object a line")]
+    Empty,
+}
+
 /// Blocks of a scene by their ids.
 struct Blocks(BTreeMap<u32, BodyId>);
 
-/// Reads the changes of a file, which names the blocks of `scene` by their ids.
-pub fn read(path: &Path, scene: &Scene) -> Result<Timeline, Error> {
-    let (text, name) = input::text(path, MAX_BYTES)?;
+/// Reads the changes of a text, which names the blocks of `scene` by their ids.
+///
+/// ```
+/// let scene = teeter_scene::named("block").unwrap();
+/// let push = r#"{"time": 1, "forces": [{"block": 0, "force": [0.2, 0, 0]}]}"#;
+/// assert_eq!(teeter_study::read_inputs(push, &scene)?.pending().len(), 1);
+/// let error = teeter_study::read_inputs("\n{}", &scene).unwrap_err().to_string();
+/// assert!(error.starts_with("line 2: a change lacks `time`"), "{error}");
+/// # Ok::<(), teeter_study::InputsError>(())
+/// ```
+///
+/// # Errors
+/// When a line is not a change, naming the line and the field, and when there is no line.
+pub fn read_inputs(text: &str, scene: &Scene) -> Result<Timeline, InputsError> {
     let blocks = Blocks((0..).map(BodyId).zip(&scene.blocks).map(|(body, block)| (block.id, body)).collect());
     let mut changes = Vec::new();
     for (index, line) in text.lines().enumerate().filter(|(_, line)| !line.trim().is_empty()) {
         let change = parse(line).and_then(|value| change(&value, &blocks));
-        changes.push(change.map_err(|error| Error::Inputs { name: name.clone(), line: index + 1, source: error })?);
+        changes.push(change.map_err(|source| InputsError::Line { line: index + 1, source })?);
     }
-    if changes.is_empty() { Err(Error::NoInputs { name }) } else { Ok(Timeline::new(changes)) }
+    if changes.is_empty() { Err(InputsError::Empty) } else { Ok(Timeline::new(changes)) }
 }
 
 fn change(value: &Value, blocks: &Blocks) -> Result<Change, FieldError> {
     let fields = Fields::new(value, "", &CHANGE)?;
     fields.required("time", "the time from which the change holds, s")?;
-    let time = fields.number("time", MAX_TIME, "s")?.unwrap_or_default();
+    let time = fields.number("time", MAX_CHANGE_TIME, "s")?.unwrap_or_default();
     let gravity = match fields.get("gravity") {
         Some(Value::Null) => Some(None),
         _ => fields.vector("gravity", "m/s²")?.map(Some),
@@ -147,5 +171,21 @@ impl Blocks {
         let id = fields.required("block", "the id of a block of the scene")?.as_u64();
         let body = id.and_then(|id| self.0.get(&u32::try_from(id).ok()?));
         body.copied().ok_or_else(|| fields.error("block", "the id of a block of the scene"))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn an_unknown_field_is_named_in_one_short_line() {
+        let scene = teeter_scene::named("block").unwrap();
+        let error =
+            |name: &str| read_inputs(&format!(r#"{{"time": 0, "{name}": 1}}"#), &scene).unwrap_err().to_string();
+        let line = "is not a field of a change, which are time, gravity, hand, forces, drives";
+        assert_eq!(error(r"a\u0007\nb\u001b[31m"), format!("line 1: `a  b [31m` {line}"));
+        let long = "x".repeat(10_000);
+        assert_eq!(error(&long), format!("line 1: `{}…` {line}", &long[..40]));
     }
 }

@@ -2,12 +2,13 @@
 
 use glam::{DQuat, DVec3};
 use serde_json::{Map, Value};
+use teeter_scene::printable;
 
 /// Similarity from which a name counts as misspelt: 0 for none, 1 for the same name.
 const NEAR: f64 = 0.6;
 /// Maximum deviation of a quaternion's length from 1.
 const UNIT_TOLERANCE: f64 = 1e-3;
-/// Maximum number of characters of a text that is quoted.
+/// Maximum number of characters of a name or a text that is quoted.
 const MAX_QUOTED: usize = 40;
 
 /// Kind of object: its noun with an article, its fields, and names of other formats with the field
@@ -91,7 +92,7 @@ impl<'a> Fields<'a> {
         match map.keys().find(|name| !kind.fields.contains(&name.as_str())) {
             None => Ok(fields),
             Some(name) => Err(FieldError::Unknown {
-                path: fields.path_of(name),
+                path: fields.path_of(&shown(name)),
                 noun: kind.noun,
                 nearest: nearest(name, kind),
                 fields: kind.fields,
@@ -181,6 +182,15 @@ fn nearest(name: &str, kind: &Kind) -> Option<&'static str> {
 fn numbers<const N: usize>(value: &Value) -> Option<[f64; N]> {
     let list: Vec<f64> = value.as_array()?.iter().map(Value::as_f64).collect::<Option<_>>()?;
     list.try_into().ok()
+}
+
+/// Printable name of limited length.
+fn shown(name: &str) -> String {
+    let mut start: String = name.chars().take(MAX_QUOTED).collect();
+    if start.len() < name.len() {
+        start.push('…');
+    }
+    printable(&start)
 }
 
 /// Value of a message.
