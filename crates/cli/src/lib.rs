@@ -11,6 +11,7 @@ mod message;
 mod output;
 mod trace;
 mod warnings;
+mod world;
 
 use std::ffi::OsString;
 

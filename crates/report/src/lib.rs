@@ -13,4 +13,4 @@ pub mod validation;
 
 pub use error::Error;
 pub use out_file::OutFile;
-pub use output::progress;
+pub use output::{progress, waiting};

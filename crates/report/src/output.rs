@@ -3,11 +3,18 @@
 use std::fs;
 use std::io::Write;
 use std::path::Path;
+use std::sync::mpsc::{RecvTimeoutError, channel};
+use std::time::Duration;
 
 use indicatif::{ProgressBar, ProgressStyle};
 
 use crate::error::Error;
 use crate::out_file::OutFile;
+
+/// Time after which an action counts as long.
+const LONG: Duration = Duration::from_secs(2);
+/// Time between two pictures of a line that waits.
+const TICK: Duration = Duration::from_millis(200);
 
 /// Creates a folder and its parents where they are missing.
 pub(crate) fn create_folder(path: &Path) -> Result<(), Error> {
@@ -32,4 +39,27 @@ pub fn progress(length: u64, unit: &str) -> ProgressBar {
     let style = ProgressStyle::with_template(&format!("{{wide_bar}} {{pos}} of {{len}} {unit}, {{eta}} left"))
         .expect("the template uses only keys of indicatif");
     ProgressBar::new(length).with_style(style)
+}
+
+/// Runs an action. Once it takes long, a line on standard error shows what it is and for how long.
+/// It stays hidden where that is no terminal.
+pub fn waiting<T>(text: &'static str, action: impl FnOnce() -> T) -> T {
+    let (sender, done) = channel::<()>();
+    std::thread::scope(|scope| {
+        scope.spawn(move || {
+            if done.recv_timeout(LONG) != Err(RecvTimeoutError::Timeout) {
+                return;
+            }
+            let style = ProgressStyle::with_template("{spinner} {msg}, {elapsed} so far")
+                .expect("the template uses only keys of indicatif");
+            let line = ProgressBar::new_spinner().with_style(style).with_message(text).with_elapsed(LONG);
+            while done.recv_timeout(TICK) == Err(RecvTimeoutError::Timeout) {
+                line.tick();
+            }
+            line.finish_and_clear();
+        });
+        // The thread ends when this is dropped, also where the action panics.
+        let _sender = sender;
+        action()
+    })
 }

@@ -7,7 +7,7 @@ mod simulation;
 use std::path::{Path, PathBuf};
 
 use clap::Args;
-use teeter_physics::{Params, World};
+use teeter_physics::Params;
 use teeter_scene::Scene;
 use teeter_study::{MAX_CHANGE_TIME, Timeline};
 
@@ -16,7 +16,7 @@ use crate::error::Error;
 use crate::output::Output;
 use crate::trace::Trace;
 use crate::warnings::Warnings;
-use crate::{input, output};
+use crate::{input, output, world};
 use simulation::Simulation;
 
 /// Arguments of `teeter run`.
@@ -70,7 +70,7 @@ impl Run {
         let scene = self.engine.material.apply(self.read(&mut warnings)?);
         let timeline = self.inputs.as_deref().map_or(Ok(Timeline::default()), |path| input::inputs(path, &scene))?;
         let params = Params { ramp: self.ramp, ..self.engine.params(!self.no_sleep) };
-        let world = World::new(&scene, params).map_err(|source| Error::Build { name: scene.name.clone(), source })?;
+        let world = world::build(&scene, params)?;
         // Before the run, so that a missing folder is reported before minutes of work.
         let out = self.out.as_deref().map(Output::create).transpose()?;
         let trace = match &self.trace {

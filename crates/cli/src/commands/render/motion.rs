@@ -7,6 +7,7 @@ use teeter_study::Timeline;
 
 use crate::error::Error;
 use crate::warnings::Warnings;
+use crate::world;
 
 /// Source of the poses of a film: whatever moves the blocks of a scene.
 pub trait Motion {
@@ -102,7 +103,7 @@ pub struct Simulated<'a> {
 impl<'a> Simulated<'a> {
     /// Builds a world from a scene.
     pub fn new(scene: &'a Scene, params: Params, timeline: Timeline) -> Result<Self, Error> {
-        let world = World::new(scene, params).map_err(|source| Error::Build { name: scene.name.clone(), source })?;
+        let world = world::build(scene, params)?;
         let mut warnings = Warnings::default();
         warnings.add_all_of(&world);
         Ok(Self { scene, world, timeline, warnings })
