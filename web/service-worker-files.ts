@@ -4,6 +4,7 @@ import { createHash } from 'node:crypto';
 import { readdirSync, readFileSync } from 'node:fs';
 import { join, relative } from 'node:path';
 import type { Plugin } from 'vite';
+import { ENGINES } from './kept-engines.ts';
 
 /** Name of the service worker, which must be the same in each version. */
 export const SERVICE_WORKER = 'service-worker.js';
@@ -25,7 +26,8 @@ export function serviceWorkerFiles(publicFolder: string): Plugin {
         const others = readdirSync(publicFolder, { recursive: true, withFileTypes: true })
           .filter(entry => entry.isFile())
           .map(entry => relative(publicFolder, join(entry.parentPath, entry.name)));
-        const files = [...Object.keys(bundle).filter(name => name !== SERVICE_WORKER), ...others].sort();
+        const made = Object.keys(bundle).filter(name => name !== SERVICE_WORKER && !name.startsWith(ENGINES));
+        const files = [...made, ...others].sort();
         const hash = createHash('sha256').update(worker.code);
         for (const name of files) {
           const made = bundle[name];

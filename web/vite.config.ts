@@ -1,11 +1,13 @@
 import { defineConfig } from 'vitest/config';
 import { compressedFiles } from './compressed-files.ts';
+import { keptEngines } from './kept-engines.ts';
 import { SERVICE_WORKER, serviceWorkerFiles } from './service-worker-files.ts';
 
 export default defineConfig({
   // Relative addresses: the page is served from any folder, by any server.
   base: './',
   plugins: [
+    keptEngines(new URL('engines', import.meta.url).pathname),
     serviceWorkerFiles(new URL('public', import.meta.url).pathname),
     compressedFiles(new URL('dist', import.meta.url).pathname),
   ],

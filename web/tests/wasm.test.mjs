@@ -5,7 +5,15 @@ import assert from 'node:assert/strict';
 import { readFile } from 'node:fs/promises';
 import { before, test } from 'node:test';
 import loadMuseum, { SpaceGame } from '../src/wasm/teeter_museum.js';
-import init, { Game, Simulation, namedScene, sceneList, towerScene } from '../src/wasm/teeter_wasm.js';
+import init, {
+  Game,
+  Listener,
+  Replay,
+  Simulation,
+  namedScene,
+  sceneList,
+  towerScene,
+} from '../src/wasm/teeter_wasm.js';
 
 let memory;
 before(async () => {
@@ -349,6 +357,29 @@ test('a game restored in the middle of a placement goes on with the same bits', 
   game.restore(bytes);
   assert.deepEqual(play(), first);
   assert.ok(lattices(game).length > 0);
+});
+
+test('a replay sounds as its game did, and a jump to another frame is silent', () => {
+  const game = new Game(namedScene('pile'), '', '');
+  game.startRecord();
+  const heard = [];
+  const listener = new Listener(game);
+  for (let frame = 0; frame < 60; frame++) {
+    game.step('');
+    heard.push([...listener.hear(game)]);
+  }
+  assert.ok(heard.flat().length > 100);
+  const replay = new Replay(game.record(false));
+  assert.deepEqual([...replay.sounds()], []);
+  for (const frame of heard) {
+    replay.step();
+    assert.deepEqual([...replay.sounds()], frame);
+  }
+  const loud = heard.findIndex((sounds, frame) => frame > 5 && sounds.length > 14);
+  while (!replay.seek(loud, 600));
+  assert.deepEqual([...replay.sounds()], []);
+  replay.step();
+  assert.ok(replay.sounds().length > 0, 'heard again from there');
 });
 
 test('the tower of 2003 takes the same commands as the game', async () => {

@@ -224,11 +224,6 @@ impl Game {
         &self.game
     }
 
-    /// Body in the hand.
-    pub(crate) fn held(&self) -> Option<BodyId> {
-        self.game.world().bodies().find(|&body| self.game.hold_grip(body).is_some())
-    }
-
     fn check(&self, body: u32) -> Result<BodyId, Error> {
         let count = self.length();
         let unknown = || Error::rejected(format!("there is no body {body}: the world has {count}"));

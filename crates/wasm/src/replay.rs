@@ -1,9 +1,9 @@
 //! Binding of a replay: a record played again, or its keyframes where its engine is missing.
 
-use teeter_game::{Record, ReplayState, engine_id};
+use teeter_game::{Listener, Record, ReplayState, engine_id};
 use wasm_bindgen::prelude::*;
 
-use crate::{Error, Game, text, views};
+use crate::{Error, Game, sounds, text, views};
 
 /// Frames from one state that is kept to the next: ten seconds.
 const STATE_INTERVAL: u32 = 600;
@@ -20,6 +20,8 @@ pub struct Replay {
     /// Update of the last frame.
     update: String,
     lattices: Vec<f32>,
+    /// Listener, and the frame that it heard last.
+    listener: Option<(u32, Listener)>,
 }
 
 #[wasm_bindgen]
@@ -31,7 +33,7 @@ impl Replay {
         let record = Record::decode(record).map_err(Error::rejected)?;
         let replay = teeter_game::Replay::owning(record).map_err(Error::rejected)?;
         let kept = vec![replay.save()];
-        Ok(Self { replay, kept, update: String::new(), lattices: Vec::new() })
+        Ok(Self { replay, kept, update: String::new(), lattices: Vec::new(), listener: None })
     }
 
     /// Carries out the next command, and returns the update as JSON; undefined after the last.
@@ -128,6 +130,20 @@ impl Replay {
         self.lattices.as_ptr()
     }
 
+    /// Sounds of the last frame, as those of `Listener.hear`. None where the frame before it was
+    /// not heard: after a jump to another frame, or at the first call.
+    pub fn sounds(&mut self) -> Vec<f32> {
+        let (game, frame) = (self.replay.game(), self.frame());
+        if let Some((heard, listener)) = &mut self.listener
+            && *heard + 1 == frame
+        {
+            *heard = frame;
+            return sounds::hear(listener, game);
+        }
+        self.listener = Some((frame, Listener::new(game.world())));
+        Vec::new()
+    }
+
     /// Number of bodies.
     #[wasm_bindgen(getter)]
     pub fn length(&self) -> usize {
@@ -204,6 +220,22 @@ impl Keyframes {
     #[wasm_bindgen(getter)]
     pub fn seconds(&self) -> f64 {
         self.record.seconds()
+    }
+
+    /// Number of frames of the record.
+    #[wasm_bindgen(getter)]
+    pub fn frames(&self) -> u32 {
+        self.record.frames()
+    }
+
+    /// Scene at the start, as JSON.
+    pub fn scene(&self) -> String {
+        self.record.scene.to_json()
+    }
+
+    /// Rules of the game, as JSON.
+    pub fn rules(&self) -> Result<String, Error> {
+        text::write("rules", &self.record.rules)
     }
 
     /// Number of bodies.

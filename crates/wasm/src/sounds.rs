@@ -24,9 +24,15 @@ impl Listener {
     /// 0 for an impact and 1 for a slide; then come the body, the impulse (N s) or the normal force
     /// (N), the speed (m/s), and the position (m).
     pub fn hear(&mut self, game: &Game) -> Vec<f32> {
-        let sounds = self.listener.hear(game.inner().world(), game.held());
-        sounds.iter().flat_map(numbers).collect()
+        hear(&mut self.listener, game.inner())
     }
+}
+
+/// Hears the last frame of a game, with the numbers of `Listener.hear`.
+pub(crate) fn hear(listener: &mut teeter_game::Listener, game: &teeter_game::Game) -> Vec<f32> {
+    let world = game.world();
+    let held = world.bodies().find(|&body| game.hold_grip(body).is_some());
+    listener.hear(world, held).iter().flat_map(numbers).collect()
 }
 
 fn numbers(sound: &Sound) -> [f32; 7] {

@@ -195,9 +195,11 @@ export class Games {
   }
 
   private async openRecord(bytes: Uint8Array): Promise<boolean> {
-    const verified = await this.opener.open(bytes);
-    if (verified) this.opened = { bytes, verified };
-    return verified !== null;
+    const verified = await this.opener.verify(bytes);
+    if (!verified) return false;
+    this.opened = { bytes, verified };
+    this.opener.show(bytes, verified);
+    return true;
   }
 
   private async openLink(): Promise<boolean> {

@@ -15,6 +15,7 @@ import { Pool } from '../study/pool';
 import { Thinker } from '../study/thinker';
 import { showTrouble, type Notice } from '../ui/notice';
 import { Delays } from './delays';
+import { enginesAddress } from './engines';
 import { followGraphics } from './graphics';
 import { SlowMotion } from './slow-motion';
 import type { Stage } from './stage';
@@ -135,7 +136,10 @@ export class Play {
   /** Plays a recorded game again. */
   replay(bytes: Uint8Array, match: Match): void {
     this.store.set({ match });
-    this.request({ ...setupOf(this.store.state.settings), source: { kind: 'replay', bytes } });
+    this.request({
+      ...setupOf(this.store.state.settings),
+      source: { kind: 'replay', bytes, engines: enginesAddress() },
+    });
   }
 
   /** Begins a match. */

@@ -52,7 +52,7 @@ const source: v.GenericSchema<SceneSource> = v.variant('kind', [
   v.object({ kind: v.literal('named'), name: v.string() }),
   v.object({ kind: v.literal('scene'), text: v.string() }),
   v.object({ kind: v.literal('record'), bytes }),
-  v.object({ kind: v.literal('replay'), bytes }),
+  v.object({ kind: v.literal('replay'), bytes, engines: v.pipe(v.string(), v.url()) }),
 ]);
 
 const setup: v.GenericSchema<Setup> = v.object({

@@ -45,3 +45,16 @@ export interface Played {
   step(command: GameCommand): Update | null;
   free(): void;
 }
+
+/** A recorded game that is played again. */
+export interface Replayed extends Played {
+  readonly replay: ReplayState;
+  /** Goes toward a frame; returns true once it is there. */
+  seek(frame: number): boolean;
+  /** Update of the last frame that was played; null at the start. */
+  update(): Update | null;
+}
+
+export function isReplayed(game: Played): game is Replayed {
+  return game.replay !== null;
+}

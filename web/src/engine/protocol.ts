@@ -36,8 +36,8 @@ export type SceneSource =
   | { kind: 'scene'; text: string }
   /** A recorded game, which goes on where it ended. */
   | { kind: 'record'; bytes: Uint8Array }
-  /** A recorded game that is played again. */
-  | { kind: 'replay'; bytes: Uint8Array };
+  /** A recorded game that is played again; `engines` is the address of the kept engines. */
+  | { kind: 'replay'; bytes: Uint8Array; engines: string };
 
 /** Computer player of a game. */
 export interface ComputerPlayer {
@@ -48,12 +48,19 @@ export interface ComputerPlayer {
   seed: number;
 }
 
+/**
+ * Engine of a record: that of this page, a kept one of another version, or missing. Without it the
+ * keyframes are shown.
+ */
+export type RecordEngine = 'own' | 'kept' | 'missing';
+
 /** State of a replay. */
 export interface ReplayState {
   frame: number;
   frames: number;
-  /** False from the frame on that this engine computes otherwise. */
-  same: boolean;
+  engine: RecordEngine;
+  /** False from the frame on that the engine computes otherwise; null where it is missing. */
+  same: boolean | null;
 }
 
 /** Scene of a world and the choices that go with it. */

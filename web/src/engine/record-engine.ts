@@ -20,6 +20,8 @@ export type Read = (url: URL) => Promise<Uint8Array<ArrayBuffer> | null>;
 
 /** Identity of an engine: its version, and a hash of its golden results. */
 const IDENTITY = /^\d+\.\d+\.\d+\+[0-9a-f]{16}$/;
+/** Beginning of a module. */
+const MAGIC = [0x00, 0x61, 0x73, 0x6d];
 
 /**
  * Finds the engine of a record: `own` where it wrote the record, else the kept one below `base`.
@@ -37,9 +39,9 @@ export async function engineOf(
   // Part of an address: a record from anywhere names nothing but an engine.
   if (!IDENTITY.test(id)) return null;
   const folder = new URL(`${id.replace('+', '-')}/`, base);
-  const bytes = await read(new URL('teeter_wasm_bg.wasm.gz', folder));
-  const module_or_path = bytes && (await unpacked(bytes));
-  if (!module_or_path) return null;
+  const module_or_path = await read(new URL('teeter_wasm_bg.wasm', folder));
+  // Some servers send a page where a file is missing.
+  if (!module_or_path || !MAGIC.every((byte, index) => module_or_path[index] === byte)) return null;
   const glue = (await import(/* @vite-ignore */ new URL('teeter_wasm.js', folder).href)) as Glue;
   const { memory } = await glue.default({ module_or_path });
   return { engine: glue, memory };
@@ -48,16 +50,4 @@ export async function engineOf(
 async function fetched(url: URL): Promise<Uint8Array<ArrayBuffer> | null> {
   const response = await fetch(url);
   return response.ok ? new Uint8Array(await response.arrayBuffer()) : null;
-}
-
-const begins = (bytes: Uint8Array, ...magic: number[]) => magic.every((byte, index) => bytes[index] === byte);
-
-/** Bytes of a module. Some servers unpack them, and some send a page where a file is missing. */
-async function unpacked(bytes: Uint8Array<ArrayBuffer>): Promise<Uint8Array<ArrayBuffer> | null> {
-  let module = bytes;
-  if (begins(bytes, 0x1f, 0x8b)) {
-    const stream = new Blob([bytes]).stream().pipeThrough(new DecompressionStream('gzip'));
-    module = new Uint8Array(await new Response(stream).arrayBuffer());
-  }
-  return begins(module, 0x00, 0x61, 0x73, 0x6d) ? module : null;
 }

@@ -1,30 +1,33 @@
 // A recorded game that is played again, with the arrays of a game.
 
 import { LATTICE_STRIDE } from '../view/lattice';
-import { Replay } from '../wasm/teeter_wasm.js';
 import { POSE_STRIDE, type Contact, type Form, type Update } from './game-protocol';
-import type { Played } from './played';
-import type { LastMove, RecordState, ReplayState, Rules } from './protocol';
+import type { Replayed } from './played';
+import type { LastMove, RecordEngine, RecordState, ReplayState, Rules } from './protocol';
+import type { Engine, LoadedEngine } from './record-engine';
 import { particleOffset } from './scene';
 
 /** Frames that are played without a break on the path to another one. */
 const SLICE = 30;
 
-export class ReplayedGame implements Played {
+export class ReplayedGame implements Replayed {
   readonly length: number;
   readonly particleOffset: number;
   readonly rules: Rules;
   readonly stiffness: number;
   readonly form: Form;
   readonly springStiffness: number | null;
-  private readonly recorded: Replay;
+  private readonly recorded: InstanceType<Engine['Replay']>;
+  private readonly memory: WebAssembly.Memory;
 
   /** Throws an Error whose message is for the user. */
   constructor(
     record: Uint8Array,
-    private readonly memory: WebAssembly.Memory,
+    { engine, memory }: LoadedEngine,
+    private readonly origin: Exclude<RecordEngine, 'missing'>,
   ) {
-    this.recorded = new Replay(record);
+    this.memory = memory;
+    this.recorded = new engine.Replay(record);
     this.length = this.recorded.length;
     const text = this.recorded.scene();
     const scene = JSON.parse(text) as { stiffness: number; form?: Form; springs?: { stiffness?: number } };
@@ -37,7 +40,7 @@ export class ReplayedGame implements Played {
 
   get replay(): ReplayState {
     const { frame, frames, isSame } = this.recorded;
-    return { frame, frames, same: isSame };
+    return { frame, frames, engine: this.origin, same: isSame };
   }
 
   free(): void {
@@ -83,8 +86,8 @@ export class ReplayedGame implements Played {
     return null;
   }
 
-  sounds(): null {
-    return null;
+  sounds(): Float32Array {
+    return this.recorded.sounds();
   }
 
   canPlace(): boolean {
@@ -100,12 +103,10 @@ export class ReplayedGame implements Played {
     return update === undefined ? null : (JSON.parse(update) as Update);
   }
 
-  /** Goes toward a frame; returns true once it is there. */
   seek(frame: number): boolean {
     return this.recorded.seek(frame, SLICE);
   }
 
-  /** Update of the last frame that was played; null at the start. */
   update(): Update | null {
     const { update } = this.recorded;
     return update === undefined ? null : (JSON.parse(update) as Update);

@@ -1,6 +1,6 @@
 // The worker: owns the game, keeps it in step with the wall clock, and sends one message a step.
 
-import load, { sceneList } from '../wasm/teeter_wasm.js';
+import load, * as engine from '../wasm/teeter_wasm.js';
 import { calibrate } from './calibration';
 import { CommandQueue, IDLE } from './command-queue';
 import { Device } from './device';
@@ -9,9 +9,9 @@ import { FRAME, type GameCommand, type Update } from './game-protocol';
 import { Loop } from './loop';
 import { questionId, readMessage } from './message-reader';
 import { Speedometer } from './pacing';
-import type { Played } from './played';
+import { isReplayed, type Played } from './played';
 import type { FromWorker, Question, SceneEntry, Setup, StateHash, ToWorker, Watched } from './protocol';
-import { ReplayedGame } from './replayed-game';
+import { replayed } from './replayed';
 import { sceneText, type BuiltSource } from './scene';
 import { errorText, guarded, isRefusal } from './worker-errors';
 
@@ -21,6 +21,8 @@ const send = (message: FromWorker, transfer: Transferable[] = []) => self.postMe
 let memory: WebAssembly.Memory;
 let game: Played | null = null;
 let world = 0;
+/** Number of the world that was requested last. */
+let requested = 0;
 let paused = false;
 let watched: Watched = { springs: false, xray: false, sound: false, selected: null };
 /** Hashes that are recorded to answer a question. */
@@ -56,7 +58,9 @@ function step(game: Played): void {
   }
   last = update;
   speedometer.add(after, FRAME, after - before);
-  device.played(after - before, game.length, game.stiffness, game.form, game.springStiffness);
+  // Neither keyframes nor another engine measure this one.
+  if ((game.replay?.engine ?? 'own') === 'own')
+    device.played(after - before, game.length, game.stiffness, game.form, game.springStiffness);
   sendFrame(game, last);
   if (last.at_rest !== wasAtRest) sendXRay(game);
   if (recordings.length > 0) record(game);
@@ -79,7 +83,7 @@ function ask(game: Game): void {
 
 /** Goes on toward the frame of a replay that is sought, a slice at a time. */
 function seek(): void {
-  if (!(game instanceof ReplayedGame) || sought === null) return;
+  if (!game || !isReplayed(game) || sought === null) return;
   if (!game.seek(sought)) {
     setTimeout(() => guard(seek));
     return;
@@ -134,18 +138,32 @@ function restart(): void {
   loop.restart();
 }
 
+/** Parts of a tower that the device chose. */
+interface Chosen {
+  stiffness: boolean;
+  form: boolean;
+}
+
 /** Builds a world; where that fails the previous one goes on. */
-function build({ world: number, setup }: Extract<ToWorker, { type: 'build' }>): void {
+async function build({ world: number, setup: { source, ...setup } }: Extract<ToWorker, { type: 'build' }>) {
+  requested = number;
   let next: Played;
-  let chosen = { stiffness: false, form: false };
+  let chosen: Chosen = { stiffness: false, form: false };
   try {
-    if (setup.source.kind === 'record') next = seated(Game.resume(setup.source.bytes, memory), setup);
-    else if (setup.source.kind === 'replay') next = new ReplayedGame(setup.source.bytes, memory);
-    else ({ next, chosen } = beginGame(setup.source, setup));
+    if (source.kind === 'record') next = seated(Game.resume(source.bytes, memory), setup);
+    // The engine of a record may have to be fetched.
+    else if (source.kind === 'replay') next = await replayed(source.bytes, { engine, memory }, new URL(source.engines));
+    else ({ next, chosen } = beginGame(source, setup));
   } catch (error) {
-    send({ type: 'refused', world: number, message: errorText(error) });
+    if (requested === number) send({ type: 'refused', world: number, message: errorText(error) });
     return;
   }
+  if (requested === number) begin(number, next, chosen, source.kind === 'record');
+  else next.free();
+}
+
+/** Begins with a world that was built. */
+function begin(number: number, next: Played, chosen: Chosen, resumed: boolean): void {
   game?.free();
   game = next;
   last = null;
@@ -164,13 +182,13 @@ function build({ world: number, setup }: Extract<ToWorker, { type: 'build' }>): 
     springs: game.springStiffness,
     particleOffset: game.particleOffset,
     rules: game.rules,
-    resumed: setup.source.kind === 'record',
+    resumed,
     frames: game.replay?.frames ?? null,
   });
   restart();
 }
 
-function beginGame(source: BuiltSource, setup: Setup) {
+function beginGame(source: BuiltSource, setup: Omit<Setup, 'source'>): { next: Game; chosen: Chosen } {
   const { sleep, stiffness, form, springs, rules } = setup;
   const chosen = { stiffness: stiffness === null, form: false };
   // A scene that somebody shared is taken as it is, or it would be another game.
@@ -184,7 +202,7 @@ function beginGame(source: BuiltSource, setup: Setup) {
 }
 
 /** The game with its computer players. */
-function seated(game: Game, { computers }: Setup): Game {
+function seated(game: Game, { computers }: Pick<Setup, 'computers'>): Game {
   game.seat(computers);
   return game;
 }
@@ -237,7 +255,11 @@ function receive(data: unknown): void {
 function carryOut(message: ToWorker): void {
   switch (message.type) {
     case 'build':
-      build(message);
+      build(message).catch((error: unknown) =>
+        guard(() => {
+          throw error;
+        }),
+      );
       break;
     case 'command':
       if (message.world === world) commands.add(message.number, message.command);
@@ -271,7 +293,7 @@ function carryOut(message: ToWorker): void {
 load().then(
   exports => {
     memory = exports.memory;
-    const list = JSON.parse(sceneList()) as SceneEntry[];
+    const list = JSON.parse(engine.sceneList()) as SceneEntry[];
     self.onmessage = (event: MessageEvent<unknown>) => guard(() => receive(event.data));
     send({ type: 'scenes', list });
   },

@@ -28,9 +28,10 @@ export class Haptics {
   /** Takes a frame. */
   receive({ update }: Frame): void {
     const { hand, report } = update;
-    const { vibration, maxForce } = this.store.state;
+    const { vibration, maxForce, watching } = this.store.state;
     if (report.time < this.next - 2 * INTERVAL) this.next = 0;
-    if (!vibration || !hand || hand.grip === 'carry' || report.time < this.next) return;
+    // Fingers feel no hand but that of the player.
+    if (!vibration || watching || !hand || hand.grip === 'carry' || report.time < this.next) return;
     const strength = pulse(Math.hypot(...hand.force) / maxForce);
     if (strength === 0) return;
     this.next = report.time + INTERVAL;

@@ -91,7 +91,8 @@ export const gamesDe: typeof gamesEn = {
     verified: 'Geprüft: Die Aufzeichnung ist echt, Bild für Bild.',
     forged: seconds =>
       `Abgelehnt: Diese Aufzeichnung ist gefälscht. Ab ${decimal(seconds, 1)} s tut der Turm etwas anderes.`,
-    foreign: engine => `Abgelehnt: Diese Aufzeichnung ist von einer anderen Version (${engine}) und nicht prüfbar.`,
+    unchecked: engine =>
+      `Ungeprüft: Diese Aufzeichnung ist von einer anderen Version (${engine}), die hier fehlt. Gezeigt werden ihre Keyframes.`,
     none: reason => `Das lässt sich nicht öffnen: ${reason}.`,
     open: 'Datei öffnen',
     save: 'Spiel sichern',
@@ -118,6 +119,7 @@ export const gamesDe: typeof gamesEn = {
     beat: 'Selbst',
     save: 'Als Datei sichern',
     close: 'Wiedergabe schließen',
+    unchecked: 'Ungeprüft: Keyframes, einer je Sekunde',
   },
   challenge: {
     goal: seconds => `Mach es besser: ${decimal(seconds, 1)} s`,

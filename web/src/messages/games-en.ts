@@ -90,7 +90,8 @@ export const gamesEn = {
     verified: 'Checked: the record is true, frame by frame.',
     forged: (seconds: number) =>
       `Refused: this record is forged. From ${decimal(seconds, 1)} s on the tower does something else.`,
-    foreign: (engine: string) => `Refused: this record was made by another version (${engine}), and cannot be checked.`,
+    unchecked: (engine: string) =>
+      `Unchecked: this record is of another version (${engine}) that is missing here. Its keyframes are shown.`,
     none: (reason: string) => `This cannot be opened: ${reason}.`,
     open: 'Open a file',
     save: 'Save the game',
@@ -118,6 +119,7 @@ export const gamesEn = {
     beat: 'Beat it',
     save: 'Save as a file',
     close: 'Close the replay',
+    unchecked: 'Unchecked: keyframes, one a second',
   },
   challenge: {
     goal: (seconds: number) => `Beat this pull: ${decimal(seconds, 1)} s`,

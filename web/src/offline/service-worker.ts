@@ -1,7 +1,8 @@
 // The service worker: keeps the files of one version, which then opens without a network.
 //
 // A new version is fetched whole beside the old one, which stays in use until all its pages are
-// closed or the player asks for the new one. Pages and files of two versions never mix.
+// closed or the player asks for the new one. Pages and files of two versions never mix. Kept
+// engines belong to no version: each is fetched when the first record needs it.
 
 /// <reference lib="webworker" />
 
@@ -12,6 +13,8 @@ const scope = self as unknown as ServiceWorkerGlobalScope;
 /** Files of this version and its name; the build fills them in. */
 const FILES: readonly string[] = JSON.parse('__FILES__');
 const CACHE = 'teeter-__VERSION__';
+/** Cache and folder of the kept engines, whose names are their content. */
+const ENGINES = { cache: 'engines', folder: 'engines/' };
 
 scope.addEventListener('install', event => {
   event.waitUntil(keep());
@@ -31,7 +34,9 @@ scope.addEventListener('fetch', event => {
   if (request.method !== 'GET' || origin !== scope.location.origin) return;
   const folder = new URL('./', scope.location.href).pathname;
   const path = pathname === folder ? `${folder}index.html` : pathname;
-  if (FILES.includes(path.slice(folder.length))) event.respondWith(answer(path, request));
+  const file = path.slice(folder.length);
+  if (FILES.includes(file)) event.respondWith(answer(path, request));
+  else if (file.startsWith(ENGINES.folder)) event.respondWith(engineFile(request));
 });
 
 /** Fetches all files past the browser's own cache, which may hold those of another version. */
@@ -52,4 +57,16 @@ async function takeOver(): Promise<void> {
 async function answer(path: string, request: Request): Promise<Response> {
   const kept = await (await caches.open(CACHE)).match(path);
   return kept ?? fetch(request);
+}
+
+/** A file of a kept engine, which stays once it was fetched. */
+async function engineFile(request: Request): Promise<Response> {
+  const cache = await caches.open(ENGINES.cache);
+  const kept = await cache.match(request);
+  if (kept) return kept;
+  const response = await fetch(request);
+  // Some servers send a page where a file is missing.
+  const isPage = response.headers.get('content-type')?.startsWith('text/html') ?? false;
+  if (response.ok && !isPage) await cache.put(request, response.clone()).catch(() => undefined);
+  return response;
 }

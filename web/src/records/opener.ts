@@ -1,6 +1,7 @@
 // Opens records from files and links. None is believed before it was played again in a worker and
-// came out the same.
+// came out the same; one whose engine is missing is shown as what it is.
 
+import { enginesAddress } from '../app/engines';
 import type { Play } from '../app/play';
 import { games } from '../messages';
 import { replayMatch } from '../modes/replay';
@@ -20,15 +21,13 @@ export class Opener {
     private readonly notice: Notice,
   ) {}
 
-  /** Plays a record again if it is true; null, with the reason on the page, where it is not. */
-  async open(bytes: Uint8Array): Promise<Verified | null> {
-    const verified = await this.verify(bytes);
-    if (verified) this.play.replay(bytes, replayMatch(verified));
-    return verified;
+  /** Plays a record on the page. */
+  show(bytes: Uint8Array, verified: Verified): void {
+    this.play.replay(bytes, replayMatch(verified));
   }
 
   /** Plays a record again in a worker; null, with the reason on the page, where it is not true. */
-  private async verify(bytes: Uint8Array): Promise<Verified | null> {
+  async verify(bytes: Uint8Array): Promise<Verified | null> {
     const check = ++this.checks;
     const { records } = games;
     const progress = (part: number) => {
@@ -36,13 +35,13 @@ export class Opener {
     };
     progress(0);
     try {
-      const verified = await this.play.pool.run({ kind: 'verify', bytes, seconds: SECONDS }, progress).result;
-      if (verified.same) {
-        this.notice.show(records.verified);
-        return verified;
-      }
-      const { divergence, engine, own } = verified;
-      this.notice.show(engine === own ? records.forged(divergence?.time_s ?? 0) : records.foreign(engine), LONG);
+      const job = { kind: 'verify', bytes, engines: enginesAddress(), seconds: SECONDS } as const;
+      const verified = await this.play.pool.run(job, progress).result;
+      const { same, divergence, engine } = verified;
+      if (same) this.notice.show(records.verified);
+      else if (same === null) this.notice.show(records.unchecked(engine), LONG);
+      else this.notice.show(records.forged(divergence?.time_s ?? 0), LONG);
+      return same === false ? null : verified;
     } catch (error) {
       this.notice.show(records.none((error as Error).message), LONG);
     }

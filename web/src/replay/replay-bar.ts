@@ -21,6 +21,7 @@ export class ReplayBar {
   private readonly scrub = create('input', { id: 'replay-scrub', type: 'range', min: 0, step: 1 });
   private readonly time = create('output', { id: 'replay-time' });
   private readonly speed = create('select', { id: 'replay-speed', 'aria-label': games.replay.speed });
+  private readonly note = create('p', { id: 'replay-note', hidden: true }, games.replay.unchecked);
   private scrubbing = false;
 
   constructor(
@@ -43,6 +44,7 @@ export class ReplayBar {
       this.challengeButton(() => actions.challenge()),
       button('replay-save', 'i-file', games.replay.save, () => actions.save()),
       button('replay-close', 'i-close', games.replay.close, () => actions.close()),
+      this.note,
     );
     element('stage').after(this.bar);
     this.listen();
@@ -88,6 +90,7 @@ export class ReplayBar {
   private show({ frame, paused }: Readonly<PageState>): void {
     const replay = frame?.replay;
     if (!replay) return;
+    this.note.hidden = replay.engine !== 'missing';
     if (!this.scrubbing) this.scrub.value = String(replay.frame);
     const { minutes } = games.end;
     setText(this.time, `${minutes(replay.frame * FRAME)} / ${minutes(replay.frames * FRAME)}`);

@@ -52,7 +52,13 @@ export class Sound {
   }
 
   /** Plays a frame. */
-  receive({ sounds, update }: Frame): void {
+  receive({ sounds, update, replay }: Frame): void {
+    // No frame follows the last of a replay.
+    if (replay && replay.frame === replay.frames) this.silence();
+    else this.play(sounds, update);
+  }
+
+  private play(sounds: Frame['sounds'], update: Frame['update']): void {
     if (!sounds || !this.instrument || this.context?.state !== 'running') return;
     const heard = readSounds(sounds);
     this.playImpacts(heard);

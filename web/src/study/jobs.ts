@@ -2,14 +2,15 @@
 // and checks of records.
 
 import type { TurnState } from '../engine/game-protocol';
-import type { LastMove, Rules } from '../engine/protocol';
+import type { LastMove, RecordEngine, Rules } from '../engine/protocol';
 
 /** A job. `seconds`: longest time, s, after which the result so far counts. */
 export type Job = { seconds: number } & (
   | { kind: 'think'; state: Uint8Array; question: string }
   | { kind: 'tower'; state: Uint8Array; rules: string; budget: number }
   | { kind: 'record'; bytes: Uint8Array; budget: number }
-  | { kind: 'verify'; bytes: Uint8Array }
+  /** `engines` is the address of the kept engines. */
+  | { kind: 'verify'; bytes: Uint8Array; engines: string }
   | { kind: 'cut'; move: LastMove }
 );
 
@@ -61,15 +62,13 @@ export interface RecordReport {
   fall: { at_s: number; bodies: number[]; taken: number; first_lost: LostContact | null } | null;
 }
 
-/** A record that was played again. */
+/** A record that was played again by the engine that wrote it. */
 export interface Verified {
-  /** True if every frame is that of the record. */
-  same: boolean;
-  frames: number;
-  hash: string;
-  /** Engine that made the record, and this one. */
+  /** True if every frame is that of the record; null where its engine is missing. */
+  same: boolean | null;
+  /** Identity of the engine that wrote the record. */
   engine: string;
-  own: string;
+  origin: RecordEngine;
   rules: Rules;
   /** Scene at the start, as JSON. */
   scene: string;
@@ -77,8 +76,9 @@ export interface Verified {
   turn: TurnState | null;
   /** Duration of the first pull, s; null where no block was placed. */
   pull: number | null;
-  /** Height of the tower when it stood last, m. */
+  /** Height of the tower when it stood last, m, and the poses of its blocks. */
   height: number;
+  poses: Float32Array;
   /** First frame that differs, and its time, s; null where none does. */
   divergence: { frame: number; time_s: number } | null;
 }

@@ -1,8 +1,8 @@
 // A worker that does one job after another, a step at a time, so that it can be stopped.
 
-import load, { RecordAnalysis, Thought, TowerAnalysis } from '../wasm/teeter_wasm.js';
+import load, * as engine from '../wasm/teeter_wasm.js';
 import { MoveCut } from './move-cut';
-import { Verification } from './verification';
+import { verification } from './verification';
 import { errorText } from '../engine/worker-errors';
 import { jobId, readStudyMessage } from './job-reader';
 import type { FromStudy, Job, RecordReport, ToStudy } from './jobs';
@@ -28,22 +28,22 @@ let queue: Promise<void> = load().then(exports => {
   memory = exports.memory;
 });
 
-function taskOf(job: Job): Task {
+function taskOf(job: Job): Task | Promise<Task> {
   switch (job.kind) {
     case 'think':
-      return thought(new Thought(job.state, job.question));
+      return thought(new engine.Thought(job.state, job.question));
     case 'tower':
-      return tower(new TowerAnalysis(job.state, job.rules, SEED, job.budget));
+      return tower(new engine.TowerAnalysis(job.state, job.rules, SEED, job.budget));
     case 'record':
-      return record(new RecordAnalysis(job.bytes, SEED, job.budget));
+      return record(new engine.RecordAnalysis(job.bytes, SEED, job.budget));
     case 'verify':
-      return new Verification(job.bytes, memory);
+      return verification(job.bytes, { engine, memory }, new URL(job.engines));
     case 'cut':
       return new MoveCut(job.move);
   }
 }
 
-function thought(task: Thought): Task {
+function thought(task: engine.Thought): Task {
   return {
     step: () => task.step(),
     // Blocks are ranked before they are tried.
@@ -53,11 +53,11 @@ function thought(task: Thought): Task {
   };
 }
 
-function tower(task: TowerAnalysis): Task {
+function tower(task: engine.TowerAnalysis): Task {
   return { step: () => task.step(), result: () => JSON.parse(task.blocks()) as unknown, free: () => task.free() };
 }
 
-function record(task: RecordAnalysis): Task {
+function record(task: engine.RecordAnalysis): Task {
   const report = () => JSON.parse(task.report()) as RecordReport;
   return {
     step: () => task.step(),
@@ -73,7 +73,7 @@ function record(task: RecordAnalysis): Task {
 
 async function run(id: number, job: Job): Promise<void> {
   const end = performance.now() + job.seconds * 1000;
-  const task = taskOf(job);
+  const task = await taskOf(job);
   try {
     let reported = performance.now();
     const isTimeUp = () => performance.now() >= end && (task.isUsable?.() ?? true);

@@ -1,25 +1,42 @@
 // A record that is played again from its start, frame by frame, and compared with its checks.
 
 import { POSE_STRIDE, type TurnState, type Update } from '../engine/game-protocol';
-import type { Rules } from '../engine/protocol';
-import { engineId, recordEngine, Replay } from '../wasm/teeter_wasm.js';
+import type { RecordEngine, Rules } from '../engine/protocol';
+import { engineOf, type Engine, type LoadedEngine } from '../engine/record-engine';
+import type { OwnEngine } from '../engine/replayed';
 import type { Verified } from './jobs';
 
-export class Verification {
-  private readonly replay: Replay;
+/**
+ * Begins to check a record with the engine that wrote it: `own`, that of the page, or a kept one
+ * below the address `engines`. Without it nothing is checked. Throws an Error whose message is for
+ * the user where the bytes are no record.
+ */
+export async function verification(bytes: Uint8Array, own: OwnEngine, engines: URL) {
+  const found = await engineOf(bytes, own, engines);
+  const id = own.engine.recordEngine(bytes);
+  return found ? new Verification(bytes, found, id, found === own ? 'own' : 'kept') : unchecked(bytes, own, id);
+}
+
+class Verification {
+  private readonly replay: InstanceType<Engine['Replay']>;
+  private readonly memory: WebAssembly.Memory;
   private readonly sizes: Float64Array;
   private turn: TurnState | null = null;
   private grasped: number | null = null;
   private pull: number | null = null;
-  private height = 0;
+  private height: number;
+  private poses: Float32Array;
 
-  /** Throws an Error whose message is for the user. */
   constructor(
-    private readonly bytes: Uint8Array,
-    private readonly memory: WebAssembly.Memory,
+    bytes: Uint8Array,
+    loaded: LoadedEngine,
+    private readonly engine: string,
+    private readonly origin: RecordEngine,
   ) {
-    this.replay = new Replay(bytes);
+    this.memory = loaded.memory;
+    this.replay = new loaded.engine.Replay(bytes);
     this.sizes = this.replay.sizes();
+    this.poses = this.currentPoses();
     this.height = this.top();
   }
 
@@ -32,19 +49,18 @@ export class Verification {
   }
 
   result(): Verified {
-    const { replay } = this;
+    const { replay, engine, origin, turn, pull, height, poses } = this;
     const divergence = replay.divergence();
     return {
       same: replay.isSame,
-      frames: replay.frames,
-      hash: replay.hash(),
-      engine: recordEngine(this.bytes),
-      own: engineId(),
+      engine,
+      origin,
       rules: JSON.parse(replay.rules()) as Rules,
       scene: replay.scene(),
-      turn: this.turn,
-      pull: this.pull,
-      height: this.height,
+      turn,
+      pull,
+      height,
+      poses,
       divergence: divergence === undefined ? null : (JSON.parse(divergence) as Verified['divergence']),
     };
   }
@@ -58,16 +74,42 @@ export class Verification {
     for (const { event } of events) {
       if (event === 'grasped') this.grasped ??= report.time;
       if (event === 'placed' && this.grasped !== null) this.pull ??= report.time - this.grasped;
-      if (event === 'settled') this.height = this.top();
+      if (event !== 'settled') continue;
+      this.poses = this.currentPoses();
+      this.height = this.top();
     }
+  }
+
+  private currentPoses(): Float32Array {
+    return Float32Array.from(
+      new Float64Array(this.memory.buffer, this.replay.posesPtr(), this.replay.length * POSE_STRIDE),
+    );
   }
 
   /** Height of the highest block, which lies flat, m. */
   private top(): number {
-    const poses = new Float64Array(this.memory.buffer, this.replay.posesPtr(), this.replay.length * POSE_STRIDE);
+    const { poses, sizes } = this;
     let top = 0;
-    for (let body = 0; body < this.replay.length; body++)
-      top = Math.max(top, poses[POSE_STRIDE * body + 2] + this.sizes[3 * body + 2] / 2);
+    for (let body = 0; body < sizes.length / 3; body++)
+      top = Math.max(top, poses[POSE_STRIDE * body + 2] + sizes[3 * body + 2] / 2);
     return top;
   }
+}
+
+/** Content of a record as it stands, unchecked. */
+function unchecked(bytes: Uint8Array, { engine }: OwnEngine, id: string) {
+  const keyframes = new engine.Keyframes(bytes);
+  const result = (): Verified => ({
+    same: null,
+    engine: id,
+    origin: 'missing',
+    rules: JSON.parse(keyframes.rules()) as Rules,
+    scene: keyframes.scene(),
+    turn: null,
+    pull: null,
+    height: 0,
+    poses: Float32Array.from(keyframes.poses(keyframes.seconds)),
+    divergence: null,
+  });
+  return { step: () => 1, result, free: () => keyframes.free() };
 }

@@ -224,6 +224,18 @@ export async function contrast(page: Page, selector: string, part = [0, 0, 1, 1]
   );
 }
 
+/** Drops bytes on the page as a file. */
+export async function drop({ page }: Session, bytes: ArrayLike<number>, name = 'game.record'): Promise<void> {
+  await page.evaluate(
+    ({ bytes, name }) => {
+      const data = new DataTransfer();
+      data.items.add(new File([Uint8Array.from(bytes)], name));
+      window.dispatchEvent(new DragEvent('drop', { dataTransfer: data, cancelable: true }));
+    },
+    { bytes: [...Array.from(bytes)], name },
+  );
+}
+
 /** Displacement of each body between two arrays of poses, m. */
 export function displacements(before: number[], after: number[]): number[] {
   return Array.from({ length: before.length / 7 }, (_, i) =>

@@ -9,22 +9,31 @@ const HEADER = { mark: 14, length: 4, checksum: 8 };
 
 /** Byte of the content from which it is changed: past the names of the engine and the scene. */
 const FIRST = 120;
-const DIGITS = { first: 0x30, last: 0x39 };
 
 /** Returns a record that can be read, and that says of some frame what was not. */
 export async function forged(record: Uint8Array): Promise<Uint8Array> {
   const { Replay } = await load('simd128');
   const start = HEADER.mark + HEADER.length + HEADER.checksum;
   const content = inflateRawSync(record.subarray(start));
-  // The scene comes first, as text: a digit in it becomes the next one or the one before.
   for (let at = FIRST; at < content.length; at += 1) {
     const changed = Buffer.from(content);
-    if (changed[at] < DIGITS.first || changed[at] > DIGITS.last) continue;
     changed[at] ^= 1;
     const bytes = await sealed(record.subarray(0, HEADER.mark), changed);
     if (!isTrue(() => new Replay(bytes))) return bytes;
   }
   throw new Error('no change of a byte leaves a record that can be read');
+}
+
+/** Returns a record that says it was written by another engine, of a name of the same length. */
+export async function renamed(record: Uint8Array, engine: string): Promise<Uint8Array> {
+  const { recordEngine } = await load('simd128');
+  const start = HEADER.mark + HEADER.length + HEADER.checksum;
+  const content = inflateRawSync(record.subarray(start));
+  const own = recordEngine(record);
+  const at = content.indexOf(own);
+  if (at < 0 || own.length !== engine.length) throw new Error(`${own} cannot become ${engine}`);
+  content.write(engine, at, 'latin1');
+  return sealed(record.subarray(0, HEADER.mark), content);
 }
 
 /** True for a record that replays the same, and for bytes that are none. */

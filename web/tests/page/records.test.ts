@@ -2,7 +2,7 @@
 
 import { afterAll, beforeAll, expect, test } from 'vitest';
 import { load } from '../engine.mjs';
-import { host, Session, SMALL, type Host } from './browser';
+import { drop, host, Session, SMALL, type Host } from './browser';
 import { forged } from './forgery';
 import { phase, takeOut } from './hands';
 
@@ -13,15 +13,6 @@ beforeAll(async () => {
 afterAll(() => chrome?.stop());
 
 const LOW = `${SMALL}&rows=3&seed=1`;
-
-/** Drops bytes on the page as a file. */
-async function drop({ page }: Session, bytes: readonly number[]): Promise<void> {
-  await page.evaluate(bytes => {
-    const data = new DataTransfer();
-    data.items.add(new File([Uint8Array.from(bytes)], 'game.record'));
-    window.dispatchEvent(new DragEvent('drop', { dataTransfer: data, cancelable: true }));
-  }, bytes);
-}
 
 /** Goes to shortly before the end of a replay, and waits for it. */
 async function scrubToEnd({ page }: Session): Promise<void> {

@@ -4,7 +4,8 @@
 import { build, type Rolldown } from 'vite';
 import { afterAll, beforeAll, expect, test } from 'vitest';
 import { wavesAt } from '../../src/sound/waves';
-import { host, Session, SMALL, type Host } from './browser';
+import { load } from '../engine.mjs';
+import { drop, host, Session, SMALL, type Host } from './browser';
 
 let chrome: Host;
 beforeAll(async () => {
@@ -87,5 +88,31 @@ test('a pile is heard as it falls, mute silences it for good, and nothing sounds
   await page.reload();
   await page.waitForFunction(() => window.teeter?.ready);
   expect(await page.getAttribute('#mute', 'aria-pressed')).toBe('true');
+  expect(session.complaints).toEqual([]);
+});
+
+test('a replay is heard as the game was, but not where it is scrubbed', async () => {
+  const { Game, namedScene } = await load('simd128');
+  const game = new Game(namedScene('pile'), JSON.stringify({ sleep: true, frame: 1 / 60 }), '');
+  game.startRecord();
+  for (let frame = 0; frame < 60; frame++) game.step('');
+  await using session = await Session.open(chrome, `${SMALL}&rows=3&render=once`);
+  const { page } = session;
+  const knocks = () => page.evaluate(() => window.teeter.sound.knocks);
+  await page.keyboard.press('f');
+  await page.waitForFunction(() => window.teeter.sound.state === 'running');
+  await session.rebuild(() => drop(session, game.record(false)!));
+  const atEnd = () => window.teeter.replay!.frame === window.teeter.replay!.frames;
+  await page.waitForFunction(atEnd);
+  const heard = await knocks();
+  expect(heard, 'knocks of a fall').toBeGreaterThan(5);
+  // From frame to frame over the whole fall, and nothing is played in between.
+  await page.keyboard.press(' ');
+  await page.waitForFunction(() => window.teeter.paused);
+  for (const frame of [10, 20, 30, 45, 20, 40]) {
+    await page.locator('#replay-scrub').fill(String(frame));
+    await page.waitForFunction(frame => window.teeter.replay!.frame === frame, frame);
+  }
+  expect(await knocks()).toBe(heard);
   expect(session.complaints).toEqual([]);
 });

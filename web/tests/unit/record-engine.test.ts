@@ -1,12 +1,13 @@
 // A record opens with the engine that wrote it, also where the page has another one by now.
 
 import { execFileSync } from 'node:child_process';
-import { mkdtemp, readFile, rm } from 'node:fs/promises';
+import { mkdir, mkdtemp, readdir, readFile, rm, stat, writeFile } from 'node:fs/promises';
 import { tmpdir } from 'node:os';
-import { join } from 'node:path';
+import { dirname, join } from 'node:path';
 import { fileURLToPath, pathToFileURL } from 'node:url';
 import { afterAll, beforeAll, expect, test } from 'vitest';
 import { engineOf, type LoadedEngine, type Read } from '../../src/engine/record-engine';
+import { engineFiles } from '../../kept-engines';
 import load, * as engine from '../../src/wasm/teeter_wasm.js';
 
 const root = new URL('../../../', import.meta.url);
@@ -22,7 +23,13 @@ let folder: string, base: URL, record: Uint8Array, own: LoadedEngine, later: Loa
 beforeAll(async () => {
   folder = await mkdtemp(join(tmpdir(), 'engines-'));
   base = pathToFileURL(`${folder}/`);
-  execFileSync(fileURLToPath(new URL('tools/keep-engine', root)), [folder]);
+  const kept = join(folder, 'kept');
+  execFileSync(fileURLToPath(new URL('tools/keep-engine', root)), [kept]);
+  // As the build of the page unpacks them.
+  for (const { name, content } of engineFiles(kept)) {
+    await mkdir(join(folder, dirname(name)), { recursive: true });
+    await writeFile(join(folder, name), content);
+  }
   record = await readFile(new URL('data/golden/contest.record', root));
   const bytes = await readFile(new URL('web/src/wasm/teeter_wasm_bg.wasm', root));
   const { memory } = await load({ module_or_path: bytes });
@@ -45,6 +52,13 @@ test('a record of an earlier engine is replayed by the kept one, bit for bit', a
   const top = new Float64Array(kept!.memory.buffer, replay.posesPtr(), 7 * replay.length);
   expect([...top].every(Number.isFinite)).toBe(true);
 }, 600_000);
+
+test('a kept engine is below 512 kB', async () => {
+  const kept = join(folder, 'kept');
+  const names = (await readdir(kept, { recursive: true })).filter(name => /\.(js|br)$/.test(name));
+  expect(names).toHaveLength(2);
+  for (const name of names) expect((await stat(join(kept, name))).size, name).toBeLessThan(512_000);
+});
 
 test('where the engine is missing the keyframes show the record', async () => {
   expect(await engineOf(record, later, new URL('nowhere/', base), read)).toBeNull();
