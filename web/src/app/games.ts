@@ -5,10 +5,10 @@ import { Guide } from '../guide/guide';
 import { MenuDialog, type MenuEntry } from '../menu/menu-dialog';
 import { games } from '../messages';
 import { modeOf } from '../modes';
-import { dailySettings, dayOf } from '../modes/daily';
+import { dailySettings, dailySetup, dayOf } from '../modes/daily';
 import { matchOf, person, type Match } from '../modes/match';
 import { Autosave } from '../records/autosave';
-import { DailyBest } from '../records/daily-best';
+import { DailyGames } from '../records/daily-games';
 import { chooseFile, listenToDrops } from '../records/files';
 import { recordIn } from '../records/link';
 import { Opener } from '../records/opener';
@@ -56,6 +56,7 @@ export class Games {
   private readonly opener: Opener;
   private readonly sharing: Sharing;
   private readonly hints: Hints;
+  private readonly daily: DailyGames;
   /** Settings of towers that the player chose, which those of a day leave as they are. */
   private readonly own: Settings;
   private autosave: Autosave | null = null;
@@ -66,13 +67,14 @@ export class Games {
     private readonly store: PageStore,
     private readonly stage: Stage,
     private readonly play: Play,
-    private readonly notice: Notice,
+    notice: Notice,
     private readonly guides: boolean,
   ) {
     this.own = store.state.settings;
     this.opener = new Opener(play, notice);
     this.sharing = new Sharing(store, play, notice);
     this.hints = new Hints(store, play, notice);
+    this.daily = new DailyGames({ store, stage, play }, this.storage, notice, record => void this.openRecord(record));
     this.menu = this.createMenu();
     this.createTurns();
     new ReplayBar(store, play, {
@@ -80,7 +82,7 @@ export class Games {
       save: () => void this.sharing.save(this.opened?.bytes ?? null),
       close: () => this.begin(modeOf('free').match(), store.state.settings.rows),
     });
-    listenToDrops(bytes => void this.openRecord(bytes));
+    listenToDrops((bytes, name) => void this.openRecord(bytes, name));
     window.addEventListener('hashchange', () => void this.openLink());
     void this.storage.then(storage => (this.autosave = new Autosave(store, play.client, storage, notice, this.tab)));
   }
@@ -88,6 +90,11 @@ export class Games {
   /** Simulated time of the game that was saved last, s. */
   get saved(): number {
     return this.autosave?.saved ?? 0;
+  }
+
+  /** Poses of the ghost of the best game on the tower of the day; null where none is shown. */
+  get ghost(): Float32Array | null {
+    return this.daily.ghost;
   }
 
   /** Shows the safest block. */
@@ -117,10 +124,13 @@ export class Games {
     const { store, play, sharing } = this;
     return new MenuDialog(store, MENU, {
       begin: (match, rows) => this.begin(match, rows),
-      openFile: () => chooseFile(bytes => void this.openRecord(bytes)),
+      openFile: () => chooseFile((bytes, name) => void this.openRecord(bytes, name)),
       save: () => void sharing.save(null),
       share: () => void sharing.shareMove(),
       resign: () => play.client.command({ command: 'resign' }),
+      more: (mode, room) => {
+        if (mode === 'daily') void this.daily.fill(room, () => this.menu.close());
+      },
     });
   }
 
@@ -144,12 +154,15 @@ export class Games {
     const card = { undo, canUndo: () => history.canUndo, height, hint: () => this.hint() };
     new TurnCard(store, card, undoes);
     markLegal(store, stage);
-    const best = new DailyBest(store, stage, play, this.storage, this.notice);
     new FallScene(store, stage, () => {
       if (store.state.world?.frames != null) return;
       const turns = store.state.frame?.update.turn?.number ?? 1;
-      end.show((room, match) => void showAftermath(play, room, match, turns));
-      void best.finish();
+      end.show((room, match) => {
+        const [ranking, plot] = [create('div'), create('div')];
+        room.append(ranking, plot);
+        void showAftermath(play, plot, match, turns);
+        if (match.mode === 'daily') void this.daily.finish().then(() => this.daily.fill(ranking, () => end.close()));
+      });
     });
   }
 
@@ -194,9 +207,14 @@ export class Games {
     if (record) await this.openRecord(record.bytes);
   }
 
-  private async openRecord(bytes: Uint8Array): Promise<boolean> {
-    const verified = await this.opener.verify(bytes);
+  /**
+   * Plays a record on the page where it is true. One on the tower of the day that comes from a file
+   * of a name is offered to be ranked first. Returns true where it is played.
+   */
+  private async openRecord(bytes: Uint8Array, file: string | null = null): Promise<boolean> {
+    const verified = await this.opener.verify(bytes, dailySetup(dayOf(new Date())));
     if (!verified) return false;
+    if (file !== null && verified.begins && !(await this.daily.offer(bytes, verified, file))) return false;
     this.opened = { bytes, verified };
     this.opener.show(bytes, verified);
     return true;
@@ -204,7 +222,7 @@ export class Games {
 
   private async openLink(): Promise<boolean> {
     const record = recordIn(location.hash);
-    return record !== null && (await this.openRecord(record));
+    return record !== null && (await this.openRecord(record, ''));
   }
 
   /** Another game is not that of the link any more. */

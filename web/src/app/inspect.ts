@@ -69,6 +69,8 @@ export interface Inspect {
   readonly replay: ReplayState | null;
   /** Simulated time of the game that was saved last, s. */
   readonly saved: number;
+  /** Poses of the ghost of the best game on the tower of the day; null where none is shown. */
+  readonly ghost: number[] | null;
   readonly quarantined: number[];
   /**
    * Longest times for which the page's thread was blocked, ms: by a message of the worker, by one
@@ -107,7 +109,7 @@ export interface Inspected {
   labels: Labels;
   client: Client;
   sound: Sound;
-  games: { readonly saved: number };
+  games: { readonly saved: number; readonly ghost: Float32Array | null };
 }
 
 type Methods = 'hash' | 'hashes' | 'record' | 'contacts' | 'screenOf' | 'project' | 'blockAt';
@@ -161,6 +163,7 @@ function gameGetters({ store, stage, hand, games }: Inspected) {
     turn: () => frame()?.update.turn ?? null,
     replay: () => frame()?.replay ?? null,
     saved: () => games.saved,
+    ghost: () => games.ghost && [...games.ghost],
     quarantined: () => frame()?.update.quarantined ?? [],
     selected: () => store.state.selected,
     hand: () => handFields(hand),

@@ -10,6 +10,8 @@ import { create } from '../ui/dom';
 /** Modes in which the players choose a table of rules, and their number. */
 const WITH_RULES = ['hot-seat', 'opponent', 'practice'];
 const WITH_PLAYERS = ['hot-seat'];
+/** Modes whose tower is given. */
+const WITH_TOWER = ['daily'];
 
 export class MatchForm {
   readonly node = create('form', { id: 'match', method: 'dialog' });
@@ -22,6 +24,7 @@ export class MatchForm {
   private readonly strengthLabel = create('label', {}, games.menu.strength, this.strength);
   private readonly rows = create('input', { id: 'match-rows', type: 'range', min: ROWS.min, max: ROWS.max, step: 1 });
   private readonly rowsValue = create('output', {});
+  private readonly rowsLabel = create('label', {}, games.menu.rows, this.rowsValue, this.rows);
 
   constructor(begin: (match: Match, rows: number) => void) {
     this.table.append(...TABLES.map(table => new Option(games.tables[table].name, table)));
@@ -30,8 +33,7 @@ export class MatchForm {
     this.strength.addEventListener('change', () => this.setStrength(this.strength.value as Strength));
     this.rows.addEventListener('input', () => (this.rowsValue.value = this.rows.value));
     const start = create('button', { id: 'match-start', class: 'main', type: 'submit' }, games.menu.start);
-    const height = create('label', {}, games.menu.rows, this.rowsValue, this.rows);
-    this.node.append(this.players, this.strengthLabel, this.rules, height, start);
+    this.node.append(this.players, this.strengthLabel, this.rules, this.rowsLabel, start);
     this.node.addEventListener('submit', event => {
       event.preventDefault();
       begin(this.match, Number(this.rows.value));
@@ -44,6 +46,7 @@ export class MatchForm {
     this.rows.value = this.rowsValue.value = String(rows);
     this.players.hidden = !WITH_PLAYERS.includes(match.mode);
     this.rules.hidden = !WITH_RULES.includes(match.mode);
+    this.rowsLabel.hidden = WITH_TOWER.includes(match.mode);
     const computer = match.players.find(({ strength }) => strength !== null);
     this.strengthLabel.hidden = !computer;
     if (computer) this.strength.value = computer.strength!;

@@ -12,6 +12,8 @@ export interface MenuActions {
   save(): void;
   share(): void;
   resign(): void;
+  /** Fills a room below the players and rules of a mode that is chosen. */
+  more(mode: string, room: HTMLElement): void;
 }
 
 /** Modes that the menu offers, in their order. */
@@ -30,11 +32,12 @@ export class MenuDialog {
   private readonly share: HTMLButtonElement;
   /** Room above the modes, as for an unfinished game. */
   readonly top = create('div', { id: 'menu-top' });
+  private readonly more = create('div', { id: 'menu-more' });
 
   constructor(
     private readonly store: PageStore,
     private readonly entries: readonly MenuEntry[],
-    actions: MenuActions,
+    private readonly actions: MenuActions,
   ) {
     const open = create('button', { id: 'menu-open', class: 'pill', title: games.menu.openTitle });
     open.append(icon('i-games'), create('span', {}, games.menu.open));
@@ -56,6 +59,7 @@ export class MenuDialog {
       this.top,
       create('div', { id: 'modes', role: 'group', 'aria-label': games.menu.title }, ...this.cards),
       this.form.node,
+      this.more,
       create('div', { class: 'buttons small' }, openFile, this.save, this.share, this.resign),
     );
     this.dialog.addEventListener('close', () => store.set({ menuOpen: false }));
@@ -126,5 +130,7 @@ export class MenuDialog {
 
   private choose(id: string): void {
     for (const card of this.cards) card.setAttribute('aria-pressed', String(card.dataset.mode === id));
+    this.more.replaceChildren();
+    this.actions.more(id, this.more);
   }
 }

@@ -142,7 +142,22 @@ export const gamesDe: typeof gamesEn = {
   daily: {
     best: (points, mm) => `Dein bestes Spiel: ${points} Punkte, ${mm} mm. Es steht als Geist hinter dem Turm.`,
     first: 'Das erste Spiel an diesem Turm.',
-    better: points => `Dein bestes Spiel heute: ${points} Punkte.`,
+    bestOf: (name, points, mm) =>
+      `Das beste heute: ${name}, ${points} Punkte, ${mm} mm. Es steht als Geist hinter dem Turm.`,
+    ranking: 'Heute',
+    you: 'Du',
+    checked: 'Geprüft',
+    checkedTitle: 'Hier noch einmal gespielt und Bild für Bild echt',
+    watch: name => `Das Spiel von ${name} ansehen`,
+    score: (points, mm) => `${counted(points, 'Punkt', 'Punkte')}, ${mm} mm`,
+    addHint: 'Öffne die Datei eines Freundes, um sie einzureihen.',
+    firstHint: 'Noch kein Spiel an diesem Turm. Öffne die Datei eines Freundes, um sie einzureihen.',
+    found: 'Ein Spiel am Turm von heute',
+    whose: 'Von wem ist es?',
+    rank: 'Einreihen',
+    watchIt: 'Nur ansehen',
+    ranked: (name, rank, count) => `${name} ist heute Nummer ${rank} von ${count}.`,
+    notRanked: 'Dieser Browser behält keine Spiele, also gibt es keine Rangliste.',
   },
   hints: {
     toggle: 'Tipp',

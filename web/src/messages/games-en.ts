@@ -144,7 +144,22 @@ export const gamesEn = {
     best: (points: number, mm: number) =>
       `Your best: ${points} points, ${mm} mm. It stands behind the tower as a ghost.`,
     first: 'The first game on this tower.',
-    better: (points: number) => `Your best today: ${points} points.`,
+    bestOf: (name: string, points: number, mm: number) =>
+      `Best today: ${name}, ${points} points, ${mm} mm. It stands behind the tower as a ghost.`,
+    ranking: 'Today',
+    you: 'You',
+    checked: 'Checked',
+    checkedTitle: 'Played again here, and true frame by frame',
+    watch: (name: string) => `Watch the game of ${name}`,
+    score: (points: number, mm: number) => `${counted(points, 'point', 'points')}, ${mm} mm`,
+    addHint: 'Open the file of a friend to rank it here.',
+    firstHint: 'No game on this tower yet. Open the file of a friend to rank it here.',
+    found: 'A game on the tower of today',
+    whose: 'Whose is it?',
+    rank: 'Rank it',
+    watchIt: 'Only watch it',
+    ranked: (name: string, rank: number, count: number) => `${name} is number ${rank} of ${count} today.`,
+    notRanked: 'This browser keeps no games, so there is no ranking.',
   },
   hints: {
     toggle: 'Hint',

@@ -18,23 +18,26 @@ export function fileName(turns: number): string {
   return `teeter-${day}-${turns}.record`;
 }
 
+/** Takes the content and the name of a file. */
+export type OpenFile = (bytes: Uint8Array, name: string) => void;
+
 /** Calls `open` with each file that is dropped on the page. */
-export function listenToDrops(open: (bytes: Uint8Array) => void): void {
+export function listenToDrops(open: OpenFile): void {
   window.addEventListener('dragover', event => event.preventDefault());
   window.addEventListener('drop', event => {
     event.preventDefault();
     const file = event.dataTransfer?.files[0];
-    if (file) void read(file).then(open);
+    if (file) void read(file).then(bytes => open(bytes, file.name));
   });
 }
 
 /** Lets the player choose a file. */
-export function chooseFile(open: (bytes: Uint8Array) => void): void {
+export function chooseFile(open: OpenFile): void {
   const input = document.createElement('input');
   input.type = 'file';
   input.addEventListener('change', () => {
     const file = input.files?.[0];
-    if (file) void read(file).then(open);
+    if (file) void read(file).then(bytes => open(bytes, file.name));
   });
   input.click();
 }

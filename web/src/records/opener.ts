@@ -3,6 +3,7 @@
 
 import { enginesAddress } from '../app/engines';
 import type { Play } from '../app/play';
+import type { Setup } from '../engine/protocol';
 import { games } from '../messages';
 import { replayMatch } from '../modes/replay';
 import type { Verified } from '../study/jobs';
@@ -26,8 +27,11 @@ export class Opener {
     this.play.replay(bytes, replayMatch(verified));
   }
 
-  /** Plays a record again in a worker; null, with the reason on the page, where it is not true. */
-  async verify(bytes: Uint8Array): Promise<Verified | null> {
+  /**
+   * Plays a record again in a worker, and compares its beginning with that of a setup; null, with
+   * the reason on the page, where it is not true.
+   */
+  async verify(bytes: Uint8Array, setup: Setup): Promise<Verified | null> {
     const check = ++this.checks;
     const { records } = games;
     const progress = (part: number) => {
@@ -35,7 +39,7 @@ export class Opener {
     };
     progress(0);
     try {
-      const job = { kind: 'verify', bytes, engines: enginesAddress(), seconds: SECONDS } as const;
+      const job = { kind: 'verify', bytes, engines: enginesAddress(), setup, seconds: SECONDS } as const;
       const verified = await this.play.pool.run(job, progress).result;
       const { same, divergence, engine } = verified;
       if (same) this.notice.show(records.verified);

@@ -1,13 +1,15 @@
-// Games that the browser keeps, in IndexedDB: the unfinished game of each tab, and the best games.
+// Games that the browser keeps, in IndexedDB: the unfinished game of each tab, the best games, and
+// those of others on the tower of a day.
 
 import { openDB, type DBSchema, type IDBPDatabase } from 'idb';
 import type { Settings } from '../app/state';
 import type { Match } from '../modes/match';
 
 const NAME = 'teeter';
-const VERSION = 1;
-/** Number of unfinished games that are stored. */
+const VERSION = 2;
+/** Number of unfinished games that are stored, and of those of others on one tower. */
 const MAX_GAMES = 8;
+const MAX_RIVALS = 50;
 
 /** An unfinished game. */
 export interface SavedGame {
@@ -25,9 +27,8 @@ export interface SavedGame {
   record: Uint8Array;
 }
 
-/** The best game of a kind. */
-export interface BestGame {
-  key: string;
+/** Score of a game, and how it is shown. */
+export interface Scored {
   points: number;
   /** Height of the tower, m. */
   height: number;
@@ -36,9 +37,22 @@ export interface BestGame {
   poses: Float32Array;
 }
 
+/** The best game of a kind. */
+export interface BestGame extends Scored {
+  key: string;
+}
+
+/** Game of somebody else, which was played again and is true. */
+export interface RivalGame extends Scored {
+  /** Name of the tower that it was played on. */
+  tower: string;
+  name: string;
+}
+
 interface Schema extends DBSchema {
   games: { key: string; value: SavedGame; indexes: { at: number } };
   best: { key: string; value: BestGame };
+  rivals: { key: number; value: RivalGame; indexes: { tower: string } };
 }
 
 export class Storage {
@@ -48,9 +62,12 @@ export class Storage {
   static async open(): Promise<Storage | null> {
     try {
       const db = await openDB<Schema>(NAME, VERSION, {
-        upgrade(db) {
-          db.createObjectStore('games', { keyPath: 'tab' }).createIndex('at', 'at');
-          db.createObjectStore('best', { keyPath: 'key' });
+        upgrade(db, before) {
+          if (before < 1) {
+            db.createObjectStore('games', { keyPath: 'tab' }).createIndex('at', 'at');
+            db.createObjectStore('best', { keyPath: 'key' });
+          }
+          db.createObjectStore('rivals', { autoIncrement: true }).createIndex('tower', 'tower');
         },
         // Another tab with a newer page waits for this one.
         blocking: (_current, _blocked, event) => (event.target as IDBDatabase).close(),
@@ -94,6 +111,22 @@ export class Storage {
 
   async saveBest(game: BestGame): Promise<void> {
     await this.db.put('best', game);
+  }
+
+  /** Returns the games of others on a tower. */
+  rivals(tower: string): Promise<RivalGame[]> {
+    return this.db.getAllFromIndex('rivals', 'tower', tower);
+  }
+
+  /** Saves a game of somebody else, and drops those on other towers. */
+  async saveRival(game: RivalGame): Promise<void> {
+    const { store, done } = this.db.transaction('rivals', 'readwrite');
+    let left = MAX_RIVALS - 1;
+    for (let cursor = await store.openCursor(null, 'prev'); cursor; cursor = await cursor.continue()) {
+      if (cursor.value.tower === game.tower && left > 0) left -= 1;
+      else await cursor.delete();
+    }
+    await Promise.all([store.add(game), done]);
   }
 
   /** Deletes the oldest games, so that `kept` are left besides that of `tab`. */

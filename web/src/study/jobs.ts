@@ -2,15 +2,15 @@
 // and checks of records.
 
 import type { TurnState } from '../engine/game-protocol';
-import type { LastMove, RecordEngine, Rules } from '../engine/protocol';
+import type { LastMove, RecordEngine, Rules, Setup } from '../engine/protocol';
 
 /** A job. `seconds`: longest time, s, after which the result so far counts. */
 export type Job = { seconds: number } & (
   | { kind: 'think'; state: Uint8Array; question: string }
   | { kind: 'tower'; state: Uint8Array; rules: string; budget: number }
   | { kind: 'record'; bytes: Uint8Array; budget: number }
-  /** `engines` is the address of the kept engines. */
-  | { kind: 'verify'; bytes: Uint8Array; engines: string }
+  /** `engines` is the address of the kept engines, `setup` that of a game with this beginning. */
+  | { kind: 'verify'; bytes: Uint8Array; engines: string; setup: Setup }
   | { kind: 'cut'; move: LastMove }
 );
 
@@ -69,6 +69,8 @@ export interface Verified {
   /** Identity of the engine that wrote the record. */
   engine: string;
   origin: RecordEngine;
+  /** True if it begins as the games of the setup. */
+  begins: boolean;
   rules: Rules;
   /** Scene at the start, as JSON. */
   scene: string;

@@ -37,7 +37,7 @@ function taskOf(job: Job): Task | Promise<Task> {
     case 'record':
       return record(new engine.RecordAnalysis(job.bytes, SEED, job.budget));
     case 'verify':
-      return verification(job.bytes, { engine, memory }, new URL(job.engines));
+      return verification(job.bytes, { engine, memory }, new URL(job.engines), job.setup);
     case 'cut':
       return new MoveCut(job.move);
   }

@@ -1,20 +1,24 @@
 // A record that is played again from its start, frame by frame, and compared with its checks.
 
 import { POSE_STRIDE, type TurnState, type Update } from '../engine/game-protocol';
-import type { RecordEngine, Rules } from '../engine/protocol';
+import type { RecordEngine, Rules, Setup } from '../engine/protocol';
 import { engineOf, type Engine, type LoadedEngine } from '../engine/record-engine';
 import type { OwnEngine } from '../engine/replayed';
+import { beginsAs } from './beginning';
 import type { Verified } from './jobs';
 
 /**
  * Begins to check a record with the engine that wrote it: `own`, that of the page, or a kept one
- * below the address `engines`. Without it nothing is checked. Throws an Error whose message is for
- * the user where the bytes are no record.
+ * below the address `engines`. Without it nothing is checked. `setup` is that of a game which may
+ * begin like the record. Throws an Error whose message is for the user where the bytes are no
+ * record.
  */
-export async function verification(bytes: Uint8Array, own: OwnEngine, engines: URL) {
+export async function verification(bytes: Uint8Array, own: OwnEngine, engines: URL, setup: Setup) {
   const found = await engineOf(bytes, own, engines);
   const id = own.engine.recordEngine(bytes);
-  return found ? new Verification(bytes, found, id, found === own ? 'own' : 'kept') : unchecked(bytes, own, id);
+  if (!found) return unchecked(bytes, own, id);
+  const begins = beginsAs(bytes, setup, own.memory);
+  return new Verification(bytes, found, { engine: id, origin: found === own ? 'own' : 'kept', begins });
 }
 
 class Verification {
@@ -30,8 +34,7 @@ class Verification {
   constructor(
     bytes: Uint8Array,
     loaded: LoadedEngine,
-    private readonly engine: string,
-    private readonly origin: RecordEngine,
+    private readonly source: { engine: string; origin: RecordEngine; begins: boolean },
   ) {
     this.memory = loaded.memory;
     this.replay = new loaded.engine.Replay(bytes);
@@ -49,12 +52,11 @@ class Verification {
   }
 
   result(): Verified {
-    const { replay, engine, origin, turn, pull, height, poses } = this;
+    const { replay, source, turn, pull, height, poses } = this;
     const divergence = replay.divergence();
     return {
       same: replay.isSame,
-      engine,
-      origin,
+      ...source,
       rules: JSON.parse(replay.rules()) as Rules,
       scene: replay.scene(),
       turn,
@@ -103,6 +105,7 @@ function unchecked(bytes: Uint8Array, { engine }: OwnEngine, id: string) {
     same: null,
     engine: id,
     origin: 'missing',
+    begins: false,
     rules: JSON.parse(keyframes.rules()) as Rules,
     scene: keyframes.scene(),
     turn: null,

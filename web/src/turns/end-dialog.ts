@@ -40,6 +40,10 @@ export class EndDialog {
     return this.dialog.open;
   }
 
+  close(): void {
+    this.dialog.close();
+  }
+
   /** Shows the end, and counts it in the match; `report` fills the room for what is known later. */
   show(report: (room: HTMLElement, match: Match) => void): void {
     const { frame, match } = this.store.state;

@@ -26,7 +26,9 @@ export class TurnCard {
   private readonly name = create('b', { id: 'turn-name' });
   private readonly step = create('span', { id: 'turn-step' });
   private readonly clock = create('span', { id: 'turn-clock' });
-  private readonly score = create('span', { id: 'turn-score' });
+  private readonly points = create('span');
+  private readonly height = create('span');
+  private readonly score = create('span', { id: 'turn-score', hidden: true }, this.points, this.height);
   private readonly players = create('ol', { id: 'turn-players' });
   private readonly undo = create('button', { id: 'undo', title: games.turn.undo, 'aria-label': games.turn.undo });
   private readonly hint = create('button', { id: 'hint', title: games.hints.title }, games.hints.toggle);
@@ -63,8 +65,11 @@ export class TurnCard {
     this.step.classList.toggle('thinking', thinking !== null);
     this.step.style.setProperty('--part', String(thinking ?? 0));
     const points = turn.scores[turn.player];
-    const height = games.turn.height(Math.round(this.actions.height() * 1000));
-    setText(this.score, points === undefined ? '' : `${games.turn.points(points)} · ${height}`);
+    this.score.hidden = points === undefined;
+    if (points !== undefined) {
+      setText(this.points, games.turn.points(points));
+      setText(this.height, games.turn.height(Math.round(this.actions.height() * 1000)));
+    }
     this.showHint(turn, state);
     this.undo.hidden = !this.undoes(state);
     this.undo.disabled = !this.actions.canUndo();
