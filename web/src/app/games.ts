@@ -84,7 +84,10 @@ export class Games {
     });
     listenToDrops((bytes, name) => void this.openRecord(bytes, name));
     window.addEventListener('hashchange', () => void this.openLink());
-    void this.storage.then(storage => (this.autosave = new Autosave(store, play.client, storage, notice, this.tab)));
+    const { records, menu } = games;
+    const save = () => void this.sharing.save(null);
+    const lost = () => notice.offer({ text: records.notKept, label: records.save, close: menu.close, action: save });
+    void this.storage.then(storage => (this.autosave = new Autosave(store, play.client, storage, this.tab, lost)));
   }
 
   /** Simulated time of the game that was saved last, s. */

@@ -3,8 +3,6 @@
 import type { Client } from '../engine/client';
 import type { PageStore } from '../app/state';
 import type { GameEvent } from '../engine/game-protocol';
-import { games } from '../messages';
-import type { Notice } from '../ui/notice';
 import type { SavedGame, Storage } from './storage';
 
 /** Time between two saves while the tower moves, ms. */
@@ -20,13 +18,13 @@ export class Autosave {
   private again = false;
   private complained = false;
 
-  /** `storage`: null where the browser keeps nothing. */
+  /** `storage`: null where the browser keeps nothing. `lost` says that the game is not kept. */
   constructor(
     private readonly store: PageStore,
     private readonly client: Client,
     private readonly storage: Storage | null,
-    private readonly notice: Notice,
     private readonly tab: string,
+    private readonly lost: () => void,
   ) {
     store.subscribe(['frame'], () => this.follow());
     store.subscribe(['paused'], ({ paused }) => paused && void this.save());
@@ -93,6 +91,6 @@ export class Autosave {
   private complain(): void {
     if (this.complained || !this.store.state.frame?.update.turn) return;
     this.complained = true;
-    this.notice.show(games.records.notKept, 8);
+    this.lost();
   }
 }
