@@ -140,10 +140,11 @@ export const gamesDe: typeof gamesEn = {
     table: 'dem Tisch',
   },
   daily: {
-    best: (points, mm) => `Dein bestes Spiel: ${points} Punkte, ${mm} mm. Es steht als Geist hinter dem Turm.`,
+    best: (points, mm) =>
+      `Dein bestes Spiel: ${counted(points, 'Punkt', 'Punkte')}, ${mm} mm. Seine Klötze sind Geister.`,
     first: 'Das erste Spiel an diesem Turm.',
     bestOf: (name, points, mm) =>
-      `Das beste heute: ${name}, ${points} Punkte, ${mm} mm. Es steht als Geist hinter dem Turm.`,
+      `Das beste heute: ${name}, ${counted(points, 'Punkt', 'Punkte')}, ${mm} mm. Seine Klötze sind Geister.`,
     ranking: 'Heute',
     you: 'Du',
     checked: 'Geprüft',

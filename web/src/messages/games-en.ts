@@ -142,10 +142,10 @@ export const gamesEn = {
   },
   daily: {
     best: (points: number, mm: number) =>
-      `Your best: ${points} points, ${mm} mm. It stands behind the tower as a ghost.`,
+      `Your best: ${counted(points, 'point', 'points')}, ${mm} mm. Its blocks are shown as ghosts.`,
     first: 'The first game on this tower.',
     bestOf: (name: string, points: number, mm: number) =>
-      `Best today: ${name}, ${points} points, ${mm} mm. It stands behind the tower as a ghost.`,
+      `Best today: ${name}, ${counted(points, 'point', 'points')}, ${mm} mm. Its blocks are shown as ghosts.`,
     ranking: 'Today',
     you: 'You',
     checked: 'Checked',

@@ -124,17 +124,19 @@ export class Bodies {
     return target.setFromMatrix3(axes).scale(size).setPosition(this.position(body));
   }
 
-  /** Height of the highest point, m. */
+  /** Height of the highest point in the newest state, m. */
   top(): number {
     let top = 0;
-    for (let body = 0; body < this.count; body++)
-      top = Math.max(top, this.position(body).z + this.halfExtent(body, new Vector3(0, 0, 1)));
+    for (let body = 0; body < this.count; body++) {
+      const half = this.halfExtent(body, new Vector3(0, 0, 1), this.newest);
+      top = Math.max(top, this.position(body, this.newest).z + half);
+    }
     return top;
   }
 
   /** Half the extent of a body along a unit direction of the world, m. */
-  halfExtent(body: number, direction: Vector3): number {
-    const { x, y, z } = direction.clone().applyMatrix3(this.axes(body).transpose());
+  halfExtent(body: number, direction: Vector3, poses = this.shown): number {
+    const { x, y, z } = direction.clone().applyMatrix3(this.axes(body, poses).transpose());
     const size = this.size(body);
     return (Math.abs(x) * size.x + Math.abs(y) * size.y + Math.abs(z) * size.z) / 2;
   }

@@ -1,38 +1,16 @@
 // The pages for everybody: axe-core finds nothing, by light and dark, in every dialog and view; the
 // focus has an order; and a system that asks for less motion or more contrast gets it.
 
-import { readFileSync } from 'node:fs';
-import { createRequire } from 'node:module';
-import type axe from 'axe-core';
-import type { Page } from 'playwright-core';
 import { afterAll, beforeAll, expect, test } from 'vitest';
+import { findings } from './axe';
 import { host, Session, SMALL, type Host } from './browser';
 import { drawOut, phase, takeOut } from './hands';
-
-declare global {
-  interface Window {
-    axe: typeof axe;
-  }
-}
-
-const AXE = readFileSync(createRequire(import.meta.url).resolve('axe-core/axe.min.js'), 'utf8');
 
 let chrome: Host;
 beforeAll(async () => {
   chrome = await host();
 });
 afterAll(() => chrome?.stop());
-
-/** Findings of axe-core on a page, one line each. */
-async function findings(page: Page): Promise<string[]> {
-  if (!(await page.evaluate(() => 'axe' in window))) await page.evaluate(AXE);
-  return page.evaluate(async () => {
-    const { violations } = await window.axe.run();
-    return violations.flatMap(({ id, nodes }) =>
-      nodes.map(({ target, any }) => `${id}: ${target.join(' ')} ${any[0]?.message ?? ''}`),
-    );
-  });
-}
 
 test.each(['light', 'dark'] as const)('axe-core finds nothing on the page by %s', async colorScheme => {
   await using session = await Session.open(chrome, 'quality=low&scale=0.2&form=lattice&rows=4&render=once', {

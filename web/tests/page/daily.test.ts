@@ -3,13 +3,12 @@
 
 import { afterAll, beforeAll, expect, test } from 'vitest';
 import type { Page } from 'playwright-core';
-import { Game } from '../../src/engine/game';
+import type { Game } from '../../src/engine/game';
 import type { GameCommand, Update } from '../../src/engine/game-protocol';
-import { sceneText, type BuiltSource } from '../../src/engine/scene';
-import { dailySetup } from '../../src/modes/daily';
 import load from '../../src/wasm/teeter_wasm.js';
 import { bytes } from '../engine.mjs';
 import { drop, host, Session, SMALL, type Host } from './browser';
+import { beginDaily } from './daily-game';
 import { forged } from './forgery';
 import { phase, takeOut } from './hands';
 
@@ -36,10 +35,7 @@ afterAll(() => chrome?.stop());
 
 /** A game on the tower of the day in which so many blocks are put on top. */
 function playedGame(turns: number, memory: WebAssembly.Memory): Shared {
-  const { source, sleep, rules, ...choice } = dailySetup(DAY);
-  const { form, stiffness, springs } = choice;
-  const scene = sceneText(source as BuiltSource, () => ({ form: form!, stiffness: stiffness!, springs }));
-  const game = Game.begin(scene, sleep, rules, memory);
+  const game = beginDaily(DAY, memory);
   let update = game.step({ command: 'idle' });
   let poses = game.poses();
   const play = (command: GameCommand): Update => {
