@@ -12,6 +12,7 @@ const SPEED = { min: 1e-3, max: 1e3 };
 export const real = v.pipe(v.number(), v.minValue(-MAX_NUMBER), v.maxValue(MAX_NUMBER));
 export const index = v.pipe(v.number(), v.integer(), v.minValue(0), v.maxValue(2 ** 32 - 1));
 export const bytes = v.instance(Uint8Array);
+export const address = v.pipe(v.string(), v.url());
 const vec = v.strictTuple([real, real, real]);
 const quat = v.strictTuple([real, real, real, real]);
 const slot = v.nullable(v.object({ row: index, cell: index }));
@@ -52,10 +53,10 @@ const source: v.GenericSchema<SceneSource> = v.variant('kind', [
   v.object({ kind: v.literal('named'), name: v.string() }),
   v.object({ kind: v.literal('scene'), text: v.string() }),
   v.object({ kind: v.literal('record'), bytes }),
-  v.object({ kind: v.literal('replay'), bytes, engines: v.pipe(v.string(), v.url()) }),
+  v.object({ kind: v.literal('replay'), bytes, engines: address }),
 ]);
 
-const setup: v.GenericSchema<Setup> = v.object({
+export const setup: v.GenericSchema<Setup> = v.object({
   source,
   sleep: v.boolean(),
   stiffness: v.nullable(real),

@@ -11,7 +11,10 @@ export function beginsAs(record: Uint8Array, setup: Setup, memory: WebAssembly.M
   const found = new Keyframes(record);
   // Most records are of other rules, and their towers need not be compared.
   const isOther = (JSON.parse(found.rules()) as { table: string }).table !== rules?.table;
-  if (isOther || form === null || stiffness === null || 'bytes' in source) return false;
+  if (isOther || form === null || stiffness === null || 'bytes' in source) {
+    found.free();
+    return false;
+  }
   const game = Game.begin(
     sceneText(source, () => ({ form, stiffness, springs })),
     sleep,

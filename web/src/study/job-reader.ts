@@ -2,7 +2,7 @@
 // engine.
 
 import * as v from 'valibot';
-import { bytes, command, index, readBy, rules } from '../engine/message-reader';
+import { address, bytes, command, index, readBy, rules, setup } from '../engine/message-reader';
 import type { Job, ToStudy } from './jobs';
 
 const seconds = v.pipe(v.number(), v.minValue(0));
@@ -12,7 +12,7 @@ const job: v.GenericSchema<Job> = v.variant('kind', [
   v.object({ kind: v.literal('think'), seconds, state: bytes, question: v.string() }),
   v.object({ kind: v.literal('tower'), seconds, state: bytes, rules: v.string(), budget: index }),
   v.object({ kind: v.literal('record'), seconds, bytes, budget: index }),
-  v.object({ kind: v.literal('verify'), seconds, bytes }),
+  v.object({ kind: v.literal('verify'), seconds, bytes, engines: address, setup }),
   v.object({ kind: v.literal('cut'), seconds, move }),
 ]);
 

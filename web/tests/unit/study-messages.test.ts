@@ -4,16 +4,28 @@
 import { readFile } from 'node:fs/promises';
 import fc from 'fast-check';
 import { beforeAll, expect, test } from 'vitest';
+import type { Setup } from '../../src/engine/protocol';
 import type { FromStudy } from '../../src/study/jobs';
 import { readStudyMessage } from '../../src/study/job-reader';
 import { Game, towerScene } from '../../src/wasm/teeter_wasm.js';
-import { changed, isCloneable, WorkerHost } from './worker-host';
+import { changed, ENGINES, isCloneable, WorkerHost } from './worker-host';
 
 const RECORD = new URL('../../../data/golden/contest.record', import.meta.url);
 /** Seed of the messages: those of a run can be had again. */
 const SEED = Number(process.env.SEED ?? 1);
 /** Ids of the jobs that are checked by their result. */
 const CHECKED = 1_000_000;
+
+/** Setup of the tower of a day. */
+const SETUP: Setup = {
+  source: { kind: 'tower', rows: 3, seed: 1, block: 'official' },
+  sleep: true,
+  stiffness: 1e6,
+  form: 'rigid',
+  springs: null,
+  rules: { table: 'solo', players: 1 },
+  computers: [],
+};
 
 const host = new WorkerHost<FromStudy>();
 let record: Uint8Array;
@@ -24,7 +36,8 @@ beforeAll(async () => {
   record = Uint8Array.from(await readFile(RECORD));
   await host.start(() => import('../../src/study/study-worker'));
   // The queue begins when the engine is loaded, which a first error waits for.
-  host.post({ type: 'run', id: 0, job: { kind: 'verify', seconds: 1, bytes: new Uint8Array() } });
+  const job = { kind: 'verify', seconds: 1, bytes: new Uint8Array(), engines: ENGINES, setup: SETUP };
+  host.post({ type: 'run', id: 0, job });
   expect(await endOf(0)).toEqual({ type: 'failed', id: 0, message: expect.any(String) });
   const game = new Game(towerScene('{"rows": 3}'), '');
   state = game.world();
@@ -91,7 +104,7 @@ const job = fc.oneof(
   fc.record({ kind: fc.constant('think'), seconds, state: worldBytes, question: text }),
   fc.record({ kind: fc.constant('tower'), seconds, state: worldBytes, rules: text, budget }),
   fc.record({ kind: fc.constant('record'), seconds, bytes, budget }),
-  fc.record({ kind: fc.constant('verify'), seconds, bytes }),
+  fc.record({ kind: fc.constant('verify'), seconds, bytes, engines: fc.constant(ENGINES), setup: fc.constant(SETUP) }),
   fc.record({ kind: fc.constant('cut'), seconds, move }),
 );
 const id = fc.nat(CHECKED);

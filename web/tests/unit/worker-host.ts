@@ -6,6 +6,9 @@ import { vi } from 'vitest';
 
 const WASM = new URL('../../src/wasm/', import.meta.url);
 
+/** Address of kept engines, of which there are none. */
+export const ENGINES = 'http://127.0.0.1:9/engines/';
+
 export class WorkerHost<FromWorker> {
   /** Messages of the worker since they were last taken. */
   private sent: FromWorker[] = [];

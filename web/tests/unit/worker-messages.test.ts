@@ -5,7 +5,7 @@ import fc from 'fast-check';
 import { beforeAll, expect, test } from 'vitest';
 import { readMessage } from '../../src/engine/message-reader';
 import type { FromWorker, ToWorker } from '../../src/engine/protocol';
-import { changed, isCloneable, WorkerHost } from './worker-host';
+import { changed, ENGINES, isCloneable, WorkerHost } from './worker-host';
 
 const WORLD = 1;
 const RECORD = new URL('../../../data/golden/contest.record', import.meta.url);
@@ -75,7 +75,12 @@ const source = fc.oneof(
   }),
   fc.record({ kind: fc.constant('named'), name: fc.oneof(fc.constant('block'), fc.string()) }),
   fc.record({ kind: fc.constant('scene'), text: fc.oneof(fc.string(), fc.json()) }),
-  fc.record({ kind: fc.constantFrom('record', 'replay'), bytes: fc.uint8Array() }),
+  fc.record({ kind: fc.constant('record'), bytes: fc.uint8Array() }),
+  fc.record({
+    kind: fc.constant('replay'),
+    bytes: fc.uint8Array(),
+    engines: fc.oneof(fc.constant(ENGINES), fc.string()),
+  }),
 );
 const question = fc.oneof(
   fc.constantFrom('hash', 'world', 'move', 'xray').map(what => ({ what })),
@@ -232,14 +237,18 @@ test('an error names the field and the question', () => {
   });
 });
 
-test('a damaged record is refused, and the previous game goes on', () => {
+test('a damaged record is refused, and the previous game goes on', async () => {
   host.post({ type: 'build', world: WORLD, setup });
-  fc.assert(
-    fc.property(fc.nat(), fc.integer({ min: 1, max: 255 }), fc.constantFrom('record', 'replay'), (at, xor, kind) => {
+  const kinds = fc.constantFrom('record', 'replay');
+  await fc.assert(
+    fc.asyncProperty(fc.nat(), fc.integer({ min: 1, max: 255 }), kinds, async (at, xor, kind) => {
       const bytes = record.slice();
       bytes[at % bytes.length] ^= xor;
       const before = hash();
-      host.post({ type: 'build', world: WORLD + 1, setup: { ...setup, source: { kind, bytes } } } as ToWorker);
+      const source = { kind, bytes, engines: ENGINES };
+      host.post({ type: 'build', world: WORLD + 1, setup: { ...setup, source } } as ToWorker);
+      // The engine of a replay may have to be fetched.
+      await new Promise(resolve => setTimeout(resolve));
       const types = host.take().map(({ type }) => type);
       expect(types).toContain('refused');
       expect(types).not.toContain('failed');
