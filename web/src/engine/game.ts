@@ -155,8 +155,9 @@ export class Game implements Played {
 
   /** Command of the computer player whose turn it is; null where there is none, or it thinks. */
   computerCommand(): GameCommand | null {
-    for (const { opponent, asked } of this.computers) {
-      if (asked !== null) continue;
+    for (const { opponent } of this.computers) {
+      // It would answer a question itself, also one that was not asked yet: of a resumed game.
+      if (opponent.question(this.game) !== undefined) continue;
       const command = JSON.parse(opponent.next(this.game)) as GameCommand;
       if (command.command !== 'idle') return command;
     }
