@@ -47,7 +47,14 @@ export default defineConfig({
       },
       {
         extends: true,
-        test: { name: 'speed', include: ['tests/speed/*.speed.ts'], environment: 'node', testTimeout: 60_000 },
+        // One file at a time: two browsers would measure each other.
+        test: {
+          name: 'speed',
+          include: ['tests/speed/*.speed.ts'],
+          environment: 'node',
+          fileParallelism: false,
+          testTimeout: 60_000,
+        },
       },
     ],
   },
