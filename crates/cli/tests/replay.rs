@@ -27,7 +27,7 @@ fn record(dir: &Path, args: &[&str]) -> (Value, String) {
 #[test]
 fn a_recorded_game_replays_the_same() {
     let dir = tempfile::tempdir().unwrap();
-    let (report, file) = record(dir.path(), &["--rules", "dissertation", "--players", "3"]);
+    let (report, file) = record(dir.path(), &["--rules", "dissertation", "--players", "3", "--names", "Ada, Åsa\u{7}"]);
     assert_eq!(report["frames"], 202);
     assert_eq!(report["bytes"], fs::metadata(&file).unwrap().len());
     let names: Vec<&str> = report["events"].as_array().unwrap().iter().map(|e| e["event"].as_str().unwrap()).collect();
@@ -47,6 +47,7 @@ fn a_recorded_game_replays_the_same() {
     let played = teeter(&["replay", &file, "--json"]).json();
     assert_eq!((&played["events"], &played["hash"]), (&report["events"], &report["hash"]));
     assert_eq!((&played["rules"]["players"], &played["scene"]), (&3.into(), &"tower".into()));
+    assert_eq!(played["players"], serde_json::json!(["Ada", "Åsa"]));
 
     let done = teeter_with(&["replay", "-", "--verify"], &fs::read(&file).unwrap());
     assert_eq!((done.code, done.err.as_str()), (0, ""));

@@ -29,6 +29,8 @@ fn a_tournament_is_the_same_for_a_seed_and_its_records_replay() {
     let file = dir.path().join("one").join(games[0]["file"].as_str().unwrap()).display().to_string();
     assert_eq!(teeter(&["replay", &file, "--verify", "--json"]).json()["same"], true);
 
+    assert_eq!(teeter(&["replay", &file, "--json"]).json()["players"], serde_json::json!(["random", "beginner"]));
+
     let table = report["table"].as_array().unwrap();
     let of = |player: &str| {
         let row = table.iter().find(|row| row["player"] == player && row["against"].is_null());

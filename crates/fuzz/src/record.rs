@@ -8,7 +8,7 @@ use teeter_physics::envelope::checksum;
 use teeter_physics::{BodyId, Params};
 
 /// Kind and version of a file, and its bytes before the content: these, length and checksum.
-const KIND: &[u8] = b"teeter-record\x01";
+const KIND: &[u8] = b"teeter-record\x02";
 const HEADER: usize = KIND.len() + 4 + 8;
 /// Largest content of a seed, bytes.
 const MAX_CONTENT: usize = 1_000_000;

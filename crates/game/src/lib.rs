@@ -55,6 +55,7 @@ pub use player::take::PlayerHand;
 pub use record::engine::engine_id;
 pub use record::error::RecordError;
 pub use record::file::Record;
+pub use record::player_names::PlayerNames;
 pub use record::recorder::{RecordWriter, Recorder};
 pub use record::replay::{Displaced, Divergence, Replay, ReplayState, Verification, verify};
 pub use record::resume::resume;

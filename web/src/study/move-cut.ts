@@ -25,6 +25,8 @@ interface Block {
   mass?: number;
   pos: number[];
   orientation?: number[];
+  velocity?: number[];
+  spin?: number[];
 }
 
 /** A game that is played with the commands of a move. */
@@ -128,6 +130,9 @@ function rounded(text: string): string {
     block.size = block.size.map(to(HEIGHT));
     if (block.mass !== undefined) block.mass = to(MASS)(block.mass);
     if (block.orientation) block.orientation = block.orientation.map(to(ROTATION));
+    // The tower rests before the move.
+    delete block.velocity;
+    delete block.spin;
   }
   return JSON.stringify(scene);
 }

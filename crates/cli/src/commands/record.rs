@@ -4,7 +4,7 @@ use std::path::{Path, PathBuf};
 
 use clap::Args;
 use serde::Serialize;
-use teeter_game::{Command, Recorder};
+use teeter_game::{Command, PlayerNames, Recorder};
 use teeter_physics::Params;
 use teeter_scene::MAX_BYTES;
 
@@ -28,6 +28,10 @@ pub struct Record {
     out: PathBuf,
     #[command(flatten)]
     rules: RulesArguments,
+    /// Names of the players in the order of their turns, separated by commas: at most 40 characters
+    /// each.
+    #[arg(long, value_delimiter = ',')]
+    names: Vec<String>,
     /// Frames after which the whole state is stored besides, so that a replay can begin there.
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..))]
     states_every: Option<u32>,
@@ -68,7 +72,8 @@ impl Record {
             events.extend(GameEvent::of(&scene, &update));
         }
         let hash = format!("{:016x}", recorder.game().hash());
-        let record = recorder.finish();
+        let mut record = recorder.finish();
+        record.players = PlayerNames::new(&self.names);
         let bytes = record.encode();
         out.bytes(&bytes)?;
         let to_stdout = out.is_stdout();

@@ -48,6 +48,7 @@ struct Block {
 #[derive(Serialize)]
 struct Played<'a> {
     scene: &'a str,
+    players: &'a [String],
     rules: Rules,
     engine: &'a str,
     frames: u32,
@@ -105,6 +106,7 @@ impl Replay {
         }
         let report = Played {
             scene: &record.scene.name,
+            players: record.players.as_slice(),
             rules: record.rules,
             engine: &record.engine,
             frames: record.frames(),
@@ -117,8 +119,9 @@ impl Replay {
             return output::json(&report);
         }
         report.events.iter().try_for_each(|event| output::line(&event.line()))?;
-        let Played { scene, frames, seconds, hash, .. } = &report;
-        output::line(&format!("{scene}: {frames} frames, {seconds:.2} s, hash {hash}"))
+        let Played { scene, players, frames, seconds, hash, .. } = &report;
+        let players: String = players.iter().map(|name| format!(", {name}")).collect();
+        output::line(&format!("{scene}{players}: {frames} frames, {seconds:.2} s, hash {hash}"))
     }
 }
 

@@ -6,7 +6,7 @@ use std::path::{Path, PathBuf};
 
 use clap::Args;
 use serde::Serialize;
-use teeter_game::{Contest, Proportion, RecordError, Rules, Strength, Table, Thinking, contest};
+use teeter_game::{Contest, PlayerNames, Proportion, RecordError, Rules, Strength, Table, Thinking, contest};
 use teeter_report::{OutFile, progress};
 use teeter_scene::{Random, Scene, TowerOptions, tower};
 use teeter_study::par_map;
@@ -127,7 +127,8 @@ impl Tournament {
         let scene = self.tower(task)?;
         let refused = |source: RecordError| Error::Record { name: scene.name.clone(), source };
         let players = task.seats.map(|seat| self.thinking(seat));
-        let contest = contest(&scene, Rules::of(Table::Official, 2), &players, task.errors).map_err(refused)?;
+        let mut contest = contest(&scene, Rules::of(Table::Official, 2), &players, task.errors).map_err(refused)?;
+        contest.record.players = PlayerNames::new(task.seats.map(Strength::name));
         let file = format!("game-{:04}.record", task.number + 1);
         write(&self.out.join(&file), &contest)?;
         let winner = contest.outcome.and_then(|outcome| outcome.winner);

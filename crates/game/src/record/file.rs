@@ -10,6 +10,7 @@ use teeter_scene::Scene;
 use crate::command::Command;
 use crate::record::bytes::{Reader, Writer};
 use crate::record::error::RecordError;
+use crate::record::player_names::PlayerNames;
 use crate::record::pose_code::{PoseChange, RoundedPose, of_scene, orientation, position};
 use crate::record::tape::Tape;
 use crate::record::{command_code, pose_code, scene_code};
@@ -17,7 +18,9 @@ use crate::rules::table::Rules;
 
 /// Beginning of a file, and the version of its layout after it.
 const MAGIC: &[u8] = b"teeter-record";
-const VERSION: u8 = 1;
+const VERSION: u8 = 2;
+/// Version without names of players, and with scenes as JSON.
+const NAMELESS: u8 = 1;
 /// Largest content, bytes.
 const MAX_CONTENT: usize = 64_000_000;
 /// Effort of the compression, 0 to 10.
@@ -64,6 +67,8 @@ pub struct StateFrame {
 pub struct Record {
     /// Identity of the engine that played the game, see [`engine_id`](crate::engine_id).
     pub engine: String,
+    /// Names of the players; as many as were given.
+    pub players: PlayerNames,
     /// Scene at the start.
     pub scene: Scene,
     /// Constants of the run. The register width changes no bit and is not stored.
@@ -124,7 +129,7 @@ impl Record {
     /// # Errors
     /// As [`Record::decode`], except for the content after the identity.
     pub fn engine_of(bytes: &[u8]) -> Result<String, RecordError> {
-        let content = inflate(bytes)?;
+        let (_, content) = inflate(bytes)?;
         read_engine(&mut Reader::new(&content, "its content"))
     }
 
@@ -135,6 +140,7 @@ impl Record {
     pub fn encode(&self) -> Vec<u8> {
         let mut content = Writer::default();
         content.bytes(self.engine.as_bytes());
+        self.players.write(&mut content);
         scene_code::write(&mut content, &self.scene);
         let params = Params { width: Width::Auto, ..self.params };
         content.bytes(&postcard::to_stdvec(&params).expect("plain numbers can always be written"));
@@ -160,9 +166,10 @@ impl Record {
     /// Names the fault of bytes that are none: foreign, of another version, truncated, altered, or
     /// with a content that no record can have.
     pub fn decode(bytes: &[u8]) -> Result<Self, RecordError> {
-        let content = inflate(bytes)?;
+        let (version, content) = inflate(bytes)?;
         let mut reader = Reader::new(&content, "its content");
         let engine = read_engine(&mut reader)?;
+        let players = if version == NAMELESS { PlayerNames::default() } else { PlayerNames::read(&mut reader)? };
         let scene = scene_code::read(&mut reader)?;
         let params: Params = read_plain(&mut reader, "its parameters")?;
         let rules: Rules = read_plain(&mut reader, "its rules")?;
@@ -177,7 +184,7 @@ impl Record {
         if samples.len() != count as usize {
             return Err(RecordError::Damaged("its samples"));
         }
-        Ok(Self { engine, scene, params, rules, tape, checks, samples, states })
+        Ok(Self { engine, players, scene, params, rules, tape, checks, samples, states })
     }
 }
 
@@ -193,8 +200,8 @@ fn seal(compressed: &[u8]) -> Vec<u8> {
     [MAGIC, &[VERSION], &len, &sum, compressed].concat()
 }
 
-/// Returns the compressed content of a file.
-fn open(bytes: &[u8]) -> Result<&[u8], RecordError> {
+/// Returns the version and the compressed content of a file.
+fn open(bytes: &[u8]) -> Result<(u8, &[u8]), RecordError> {
     let found = bytes.len() as u64;
     let header = MAGIC.len() + 1 + 4 + 8;
     let short = RecordError::Truncated { found, expected: header as u64 };
@@ -203,7 +210,7 @@ fn open(bytes: &[u8]) -> Result<&[u8], RecordError> {
     }
     let rest = bytes.strip_prefix(MAGIC).ok_or(RecordError::Foreign)?;
     let (&version, rest) = rest.split_first().ok_or(short.clone())?;
-    if version != VERSION {
+    if ![NAMELESS, VERSION].contains(&version) {
         return Err(RecordError::Version { found: version, expected: VERSION });
     }
     let (len, rest) = rest.split_first_chunk().ok_or(short.clone())?;
@@ -215,12 +222,14 @@ fn open(bytes: &[u8]) -> Result<&[u8], RecordError> {
     if found > expected {
         return Err(RecordError::TooLong { found, expected });
     }
-    if u64::from_le_bytes(*sum) == checksum(content) { Ok(content) } else { Err(RecordError::Altered) }
+    if u64::from_le_bytes(*sum) == checksum(content) { Ok((version, content)) } else { Err(RecordError::Altered) }
 }
 
-/// Returns the content of a file.
-fn inflate(bytes: &[u8]) -> Result<Vec<u8>, RecordError> {
-    decompress_to_vec_with_limit(open(bytes)?, MAX_CONTENT).map_err(|_| RecordError::Damaged("its compression"))
+/// Returns the version and the content of a file.
+fn inflate(bytes: &[u8]) -> Result<(u8, Vec<u8>), RecordError> {
+    let (version, compressed) = open(bytes)?;
+    let content = decompress_to_vec_with_limit(compressed, MAX_CONTENT);
+    content.map(|content| (version, content)).map_err(|_| RecordError::Damaged("its compression"))
 }
 
 /// Reads the identity of the engine. It comes first in every version of the layout.

@@ -9,6 +9,7 @@ use crate::game::Game;
 use crate::record::engine::engine_id;
 use crate::record::error::RecordError;
 use crate::record::file::{Record, Sample, StateFrame};
+use crate::record::player_names::PlayerNames;
 use crate::record::pose_code::{PoseChange, RoundedPose, has_changed, of_scene, rounded};
 use crate::record::tape::{Run, Tape};
 use crate::rules::table::Rules;
@@ -46,6 +47,7 @@ impl RecordWriter {
     pub fn new(scene: &Scene, params: Params, rules: Rules) -> Self {
         let record = Record {
             engine: engine_id(),
+            players: PlayerNames::default(),
             scene: scene.clone(),
             params,
             rules,
@@ -70,6 +72,11 @@ impl RecordWriter {
         changes.for_each(|change| poses[change.body.index()] = change.pose);
         let stored = record.states.iter().map(|state| state.bytes.len()).sum();
         Self { record, poses, state_interval: None, stored }
+    }
+
+    /// Names the players of the game.
+    pub fn name_players(&mut self, players: PlayerNames) {
+        self.record.players = players;
     }
 
     /// Takes in a command, and the game after the frame in which it was given.
