@@ -33,7 +33,7 @@ fn thinking_of(field: &str, object: &Bound<'_, PyAny>) -> PyResult<Thinking> {
         return Ok(read::<Strength>(Kind::Input, field, object)?.thinking());
     }
     let thinking: Thinking = read(Kind::Input, field, object)?;
-    let Thinking { candidates, budget, errors, trouble, risk, .. } = thinking;
+    let Thinking { candidates, budget, errors, trouble, risk, caution, .. } = thinking;
     let ranges = [
         ("candidates", f64::from(candidates), 1.0, 1000.0),
         ("budget", budget, 0.0, 1e5),
@@ -42,6 +42,7 @@ fn thinking_of(field: &str, object: &Bound<'_, PyAny>) -> PyResult<Thinking> {
         ("errors.position", errors.position, 0.0, 0.01),
         ("trouble", trouble, -10.0, 10.0),
         ("risk", risk, 0.0, 1.0),
+        ("caution", caution, 0.0, 1000.0),
     ];
     for (part, value, min, max) in ranges {
         if !(min..=max).contains(&value) {
@@ -54,7 +55,7 @@ fn thinking_of(field: &str, object: &Bound<'_, PyAny>) -> PyResult<Thinking> {
 /// Manner of thinking of a strength, a dict that Opponent and contest take as well: candidates, the
 /// number of blocks that are tried; is_ranked, True when these are the best ones; budget, the
 /// simulated time of all rollouts of a move, s; errors of the estimate: height (m), friction (a
-/// share), position (m); trouble; risk; foresight.
+/// share), position (m); trouble; risk; foresight; caution.
 ///
 /// Raises InputError.
 #[pyfunction]

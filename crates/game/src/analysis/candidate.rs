@@ -69,7 +69,8 @@ pub struct Ranking {
     /// The tower for limit analysis.
     scene: Scene,
     count: usize,
-    /// Candidates, the loosest first; the first of them are analysed.
+    /// Candidates in their order, the loosest first or by another cost; the first of them are
+    /// analysed.
     candidates: Vec<Candidate>,
     analysed: usize,
 }
@@ -80,6 +81,14 @@ impl Ranking {
     /// # Panics
     /// When the world has no such body.
     pub fn new(world: &World, bodies: &[BodyId], count: usize) -> Self {
+        Self::by(world, bodies, count, |candidate| candidate.tightness_n)
+    }
+
+    /// Begins to rank blocks by a cost that is known without limit analysis, the smallest first.
+    ///
+    /// # Panics
+    /// When the world has no such body.
+    pub fn by(world: &World, bodies: &[BodyId], count: usize, cost: impl Fn(&Candidate) -> f64) -> Self {
         let loads = xray(world, world.scene().friction);
         let candidate = |body: &BodyId| Candidate {
             body: *body,
@@ -87,8 +96,9 @@ impl Ranking {
             tightness_n: loads[body.index()].tightness_n,
             falls: None,
         };
-        let mut candidates: Vec<Candidate> = bodies.iter().map(candidate).collect();
-        candidates.sort_by(|a, b| a.tightness_n.total_cmp(&b.tightness_n).then(a.body.cmp(&b.body)));
+        let mut candidates: Vec<(f64, Candidate)> = bodies.iter().map(candidate).map(|c| (cost(&c), c)).collect();
+        candidates.sort_by(|(a, of_a), (b, of_b)| a.total_cmp(b).then(of_a.body.cmp(&of_b.body)));
+        let candidates = candidates.into_iter().map(|(_, candidate)| candidate).collect();
         Self { scene: levelled(world), count: count.max(1), candidates, analysed: 0 }
     }
 
@@ -127,7 +137,7 @@ impl Ranking {
     /// most as many as were wanted.
     pub fn finish(mut self) -> Vec<Candidate> {
         self.candidates.truncate(self.analysed);
-        // The sort is stable: the loosest stay first.
+        // The sort is stable: they stay in their order.
         self.candidates.sort_by_key(|candidate| candidate.falls == Some(true));
         self.candidates.truncate(self.count);
         self.candidates

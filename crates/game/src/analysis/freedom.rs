@@ -14,8 +14,13 @@ use crate::tower_map::TowerMap;
 /// Breakaway force at which a block counts half, N.
 const HALF_TIGHT: f64 = 0.2;
 
-/// Returns the sum over the blocks that may be taken, and whose row stands without them, of a
-/// weight from 0, tight, to 1, without friction.
+/// Weight of a block by the force that starts it sliding, N: from 0, tight, to 1, without friction.
+pub fn looseness(tightness_n: f64) -> f64 {
+    HALF_TIGHT / (HALF_TIGHT + tightness_n)
+}
+
+/// Returns the sum over the blocks that may be taken, and whose row stands without them, of their
+/// [`looseness`].
 pub fn freedom(world: &World, rules: &Rules) -> f64 {
     let blocks = Blocks::of(world);
     let cells = TowerMap::new(&blocks, None).cells();
@@ -32,7 +37,7 @@ pub fn freedom(world: &World, rules: &Rules) -> f64 {
             is_left(1) || (is_left(0) && is_left(2))
         })
     };
-    let weight = |body: &BodyId| HALF_TIGHT / (HALF_TIGHT + loads[body.index()].tightness_n);
+    let weight = |body: &BodyId| looseness(loads[body.index()].tightness_n);
     removable.iter().filter(|body| stands(**body)).map(weight).sum()
 }
 

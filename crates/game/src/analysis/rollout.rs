@@ -6,7 +6,6 @@ use teeter_physics::{BuildError, World};
 
 use crate::analysis::estimate::{EstimateErrors, estimate};
 use crate::analysis::freedom::freedom;
-use crate::analysis::prospect::prospect;
 use crate::command::Command;
 use crate::game::Game;
 use crate::player::noise::HandNoise;
@@ -49,8 +48,6 @@ pub struct Rollout {
     pub seconds: f64,
     /// Freedom left to the next player; zero after a fall.
     pub freedom: f64,
-    /// Prospect left to the next player; zero where the block was not placed.
-    pub prospect: f64,
 }
 
 /// Tries a move on a copy of a world, with the errors of a seed. All of it follows from the world,
@@ -86,14 +83,12 @@ pub fn roll_out(
     trial.wait(AFTER);
     let blocks = trial.game.blocks();
     let moved = |(body, was): (_, &DVec3)| if body == plan.body { 0.0 } else { blocks.position(body).distance(*was) };
-    let end = hand.end().filter(|_| !trial.fell);
     Ok(Rollout {
         fell: trial.fell,
-        end,
+        end: hand.end().filter(|_| !trial.fell),
         moved: blocks.bodies().zip(&before).map(moved).fold(0.0, f64::max),
         seconds: f64::from(trial.frames) * world.params().frame,
         freedom: if trial.fell { 0.0 } else { freedom(trial.game.world(), rules) },
-        prospect: if end == Some(MoveEnd::Placed) { prospect(blocks, rules) } else { 0.0 },
     })
 }
 

@@ -29,9 +29,6 @@ pub struct Tally {
     pub moved: f64,
     /// Sum of the freedom left over the rollouts without a fall.
     freedom: f64,
-    /// Number of rollouts in which the block was placed, and the sum of the prospects left in them.
-    placed: u32,
-    prospect: f64,
 }
 
 impl Tally {
@@ -39,8 +36,6 @@ impl Tally {
         self.falls.add(rollout.fell);
         self.stuck.add(rollout.end == Some(MoveEnd::Stuck));
         self.freedom += rollout.freedom;
-        self.placed += u32::from(rollout.end == Some(MoveEnd::Placed));
-        self.prospect += rollout.prospect;
         if !rollout.fell {
             self.moved = self.moved.max(rollout.moved);
         }
@@ -50,12 +45,6 @@ impl Tally {
     /// always falls.
     pub fn freedom(&self) -> f64 {
         self.freedom / f64::from((self.falls.tries - self.falls.count).max(1))
-    }
-
-    /// Mean prospect that the move leaves the next player, 0 to 1; 1 where the block is never
-    /// placed.
-    pub fn prospect(&self) -> f64 {
-        if self.placed == 0 { 1.0 } else { self.prospect / f64::from(self.placed) }
     }
 }
 
@@ -131,7 +120,8 @@ pub struct SurveyRun {
     plans: Vec<MovePlan>,
     tallies: Vec<Tally>,
     round: u32,
-    /// Index of the plan that is tried next in the round.
+    /// Indices of the plans that are tried in a round, and the number of those tried in this one.
+    left: Vec<usize>,
     next: usize,
     /// Simulated time so far, s.
     spent: f64,
@@ -140,21 +130,37 @@ pub struct SurveyRun {
 impl SurveyRun {
     /// Begins a survey of moves on a world.
     pub fn new(survey: Survey, world: World, plans: Vec<MovePlan>) -> Self {
-        let tallies = vec![Tally::default(); plans.len()];
-        Self { survey, world, plans, tallies, round: 0, next: 0, spent: 0.0 }
+        let (tallies, left) = (vec![Tally::default(); plans.len()], (0..plans.len()).collect());
+        Self { survey, world, plans, tallies, round: 0, left, next: 0, spent: 0.0 }
     }
 
     /// Begins the survey with other moves.
     pub fn begin(&mut self, plans: Vec<MovePlan>) {
         (self.round, self.next, self.spent) = (0, 0, 0.0);
         self.tallies = vec![Tally::default(); plans.len()];
+        self.left = (0..plans.len()).collect();
         self.plans = plans;
+    }
+
+    /// Tries only these plans from the next round on, by their indices.
+    ///
+    /// # Panics
+    /// When a round is not over.
+    pub(crate) fn keep(&mut self, left: &[usize]) {
+        assert_eq!(self.next, 0, "plans are dropped between two rounds");
+        self.left.clear();
+        self.left.extend_from_slice(left);
+    }
+
+    /// Simulated time so far, s, where a round has ended; none within a round.
+    pub(crate) fn spent_at_end_of_round(&self) -> Option<f64> {
+        (self.round > 0 && self.next == 0).then_some(self.spent)
     }
 
     /// Returns true if a round has ended and the budget is spent.
     pub fn is_done(&self) -> bool {
         let is_spent = self.round > 0 && (self.spent >= self.survey.budget || self.round >= MAX_ROUNDS);
-        self.plans.is_empty() || (self.next == 0 && is_spent)
+        self.left.is_empty() || (self.next == 0 && is_spent)
     }
 
     /// Part of the budget that is spent, 0 to 1, and 1 only at the end; in the first round at most
@@ -164,13 +170,18 @@ impl SurveyRun {
             return 1.0;
         }
         let of_budget = if self.survey.budget > 0.0 { self.spent / self.survey.budget } else { 1.0 };
-        let of_round = if self.round == 0 { self.next as f64 / self.plans.len() as f64 } else { 1.0 };
+        let of_round = if self.round == 0 { self.next as f64 / self.left.len() as f64 } else { 1.0 };
         of_budget.min(of_round).min(ALMOST)
     }
 
     /// Results so far, one of each plan.
     pub fn tallies(&self) -> &[Tally] {
         &self.tallies
+    }
+
+    /// Rules by which the freedom of the next player is judged.
+    pub(crate) fn rules(&self) -> &Rules {
+        &self.survey.rules
     }
 
     /// The world on whose copies the moves are tried.
@@ -186,7 +197,7 @@ impl SurveyRun {
         if self.is_done() {
             return Ok(());
         }
-        let rollout = self.roll_out(self.next)?;
+        let rollout = self.roll_out(self.left[self.next])?;
         self.add(&rollout);
         Ok(())
     }
@@ -196,8 +207,7 @@ impl SurveyRun {
     /// # Errors
     /// When no world can be built of an estimate.
     pub fn finish_round(&mut self, tried: impl Fn() + Sync) -> Result<(), BuildError> {
-        let indices: Vec<usize> = (self.next..self.plans.len()).collect();
-        let rollouts = par_map(&indices, |index| {
+        let rollouts = par_map(&self.left[self.next..], |index| {
             let rollout = self.roll_out(*index);
             tried();
             rollout
@@ -212,10 +222,10 @@ impl SurveyRun {
 
     /// Takes in the rollout of the next plan.
     fn add(&mut self, rollout: &Rollout) {
-        self.tallies[self.next].add(rollout);
+        self.tallies[self.left[self.next]].add(rollout);
         self.spent += rollout.seconds;
         self.next += 1;
-        if self.next == self.plans.len() {
+        if self.next == self.left.len() {
             (self.round, self.next) = (self.round + 1, 0);
         }
     }

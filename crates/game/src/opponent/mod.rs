@@ -2,6 +2,7 @@
 //! commands with the hand that people have.
 
 pub mod contest;
+pub mod halving;
 pub mod player;
 pub mod strength;
 pub mod thought;

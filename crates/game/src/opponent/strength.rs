@@ -53,6 +53,9 @@ pub struct Thinking {
     /// Chance of a fall that is as bad as leaving the next player a game that counting moves wins.
     #[serde(default)]
     pub foresight: f64,
+    /// Number of rollouts that the chance of a fall by the X-ray counts as.
+    #[serde(default)]
+    pub caution: f64,
 }
 
 impl Strength {
@@ -81,14 +84,15 @@ impl Strength {
             trouble: 0.0,
             risk: 0.0,
             foresight: 0.0,
+            caution: 0.0,
         };
         match self {
             Self::Random => thinking(1, false, 0.0, EstimateErrors::none()),
-            Self::Beginner => thinking(3, false, 20.0, errors(1e-4, 0.2, 1e-3)),
+            Self::Beginner => thinking(5, false, 20.0, errors(1e-4, 0.2, 1e-3)),
             Self::Skilled => thinking(5, true, 50.0, errors(5e-5, 0.1, 5e-4)),
             Self::Expert => {
                 let thinking = thinking(8, true, 130.0, errors(2e-5, 0.05, 2e-4));
-                Thinking { trouble: 0.02, foresight: 0.5, ..thinking }
+                Thinking { trouble: 0.02, foresight: 1.0, caution: 4.0, ..thinking }
             }
             Self::Gentle => Thinking { trouble: -0.05, risk: 0.5, ..thinking(4, false, 80.0, errors(5e-5, 0.1, 5e-4)) },
         }

@@ -5,8 +5,12 @@ use teeter_physics::{BodyId, BuildError, World};
 use teeter_scene::Random;
 
 use crate::analysis::candidate::{Candidate, Ranking};
+use crate::analysis::freedom::looseness;
+use crate::analysis::prospect::prospect_after;
 use crate::analysis::rollout::TrialErrors;
 use crate::analysis::survey::{Survey, SurveyRun, Tally};
+use crate::blocks::Blocks;
+use crate::opponent::halving::Halving;
 use crate::opponent::strength::Thinking;
 use crate::player::noise::HandNoise;
 use crate::rules::table::Rules;
@@ -14,6 +18,10 @@ use crate::rules::table::Rules;
 /// Cost of a block that does not come out, as a chance of a fall: it has to be put back, and that
 /// shakes the tower.
 const STUCK: f64 = 0.1;
+/// Share of the moves of tight blocks in which a block falls, by `teeter calibrate`.
+const TIGHT_FALLS: f64 = 0.5;
+/// Simulated time that a rollout is expected to take, s.
+const TRY: f64 = 5.0;
 /// Part of the progress that the ranking of the blocks is.
 const RANKING: f64 = 0.1;
 
@@ -57,8 +65,9 @@ pub fn choose(
         ranking.finish_round();
     }
     thought.begin_rollouts();
-    while !thought.run.is_done() {
+    while !thought.is_done() {
         thought.run.finish_round(|| ())?;
+        thought.drop_worse();
     }
     Ok(thought.considered())
 }
@@ -100,6 +109,9 @@ pub struct Thought {
     /// Ranking of the blocks; none once it is done.
     ranking: Option<Ranking>,
     candidates: Vec<Candidate>,
+    /// Prospect that each candidate leaves the next player.
+    prospects: Vec<f64>,
+    halving: Halving,
     run: SurveyRun,
 }
 
@@ -108,18 +120,27 @@ impl Thought {
     pub fn new(world: World, question: &Question) -> Self {
         let Question { rules, bodies, thinking, seed } = question;
         let count = (thinking.candidates as usize).max(1);
+        let affordable = Halving::affordable(count, thinking.budget, TRY);
+        let count = if thinking.is_ranked && thinking.budget > 0.0 { affordable } else { count };
         let bodies: Vec<BodyId> = bodies.iter().copied().filter(|body| body.index() < world.len()).collect();
         let bodies = if thinking.is_ranked { bodies } else { drawn(&bodies, count, *seed) };
-        let ranking = Some(Ranking::new(&world, &bodies, count));
+        let blocks = Blocks::of(&world);
+        let prior = |candidate: &Candidate| {
+            let risk = prior_risk(candidate);
+            risk + (1.0 - risk) * thinking.foresight * prospect_after(&blocks, rules, candidate.body)
+        };
+        let ranking = Some(Ranking::by(&world, &bodies, count, prior));
         let errors = TrialErrors { estimate: thinking.errors, hand: HandNoise::default() };
         let survey = Survey { rules: *rules, errors, budget: thinking.budget, seed: *seed };
         let run = SurveyRun::new(survey, world, Vec::new());
-        Self { thinking: *thinking, ranking, candidates: Vec::new(), run }
+        let halving = Halving::new(0, thinking.budget);
+        Self { thinking: *thinking, ranking, candidates: Vec::new(), prospects: Vec::new(), halving, run }
     }
 
-    /// Returns true if the budget is spent.
+    /// Returns true if the budget is spent, or a single move was tried.
     pub fn is_done(&self) -> bool {
-        self.ranking.is_none() && self.run.is_done()
+        let is_only = self.candidates.len() == 1 && self.run.spent_at_end_of_round().is_some();
+        self.ranking.is_none() && (is_only || self.run.is_done())
     }
 
     /// Part of the work that is done, 0 to 1.
@@ -136,7 +157,11 @@ impl Thought {
     /// # Errors
     /// When no world can be built of an estimate.
     pub fn step(&mut self) -> Result<(), BuildError> {
-        let Some(ranking) = &mut self.ranking else { return self.run.step() };
+        let Some(ranking) = &mut self.ranking else {
+            self.run.step()?;
+            self.drop_worse();
+            return Ok(());
+        };
         ranking.step();
         if ranking.is_done() {
             self.begin_rollouts();
@@ -144,10 +169,23 @@ impl Thought {
         Ok(())
     }
 
+    /// Ends a round, where one has ended.
+    fn drop_worse(&mut self) {
+        let Some(spent) = self.run.spent_at_end_of_round() else { return };
+        let Self { thinking, candidates, prospects, halving, run, .. } = self;
+        halving.end_round(spent, |index| {
+            cost(thinking, &run.tallies()[index], prior_risk(&candidates[index]), prospects[index])
+        });
+        run.keep(halving.left());
+    }
+
     fn begin_rollouts(&mut self) {
         let Some(ranking) = self.ranking.take() else { return };
         self.candidates = ranking.finish();
+        let (blocks, rules) = (Blocks::of(self.run.world()), self.run.rules());
+        self.prospects = self.candidates.iter().map(|c| prospect_after(&blocks, rules, c.body)).collect();
         if self.thinking.budget > 0.0 {
+            self.halving = Halving::new(self.candidates.len(), self.thinking.budget);
             self.run.begin(self.candidates.iter().map(Candidate::plan).collect());
         }
     }
@@ -157,7 +195,8 @@ impl Thought {
         let tally = |index: usize| self.run.tallies().get(index).copied().unwrap_or_default();
         let considered = self.candidates.iter().enumerate().map(|(index, candidate)| {
             let tally = tally(index);
-            Considered { candidate: *candidate, tally, cost: cost(&self.thinking, &tally) }
+            let cost = cost(&self.thinking, &tally, prior_risk(candidate), self.prospects[index]);
+            Considered { candidate: *candidate, tally, cost }
         });
         let mut considered: Vec<Considered> = considered.collect();
         // Of equal ones the looser first: the sort is stable.
@@ -166,15 +205,24 @@ impl Thought {
     }
 }
 
-fn cost(thinking: &Thinking, tally: &Tally) -> f64 {
+/// Chance of a fall by the X-ray alone.
+fn prior_risk(candidate: &Candidate) -> f64 {
+    TIGHT_FALLS * (1.0 - looseness(candidate.tightness_n))
+}
+
+fn cost(thinking: &Thinking, tally: &Tally, prior_risk: f64, prospect: f64) -> f64 {
     // Few rollouts are not certain for one who shuns a fall; one who wants a risk takes what it
     // saw.
     let risk = match thinking.risk {
         wanted if wanted > 0.0 => (tally.falls.share() - wanted).abs(),
-        _ => tally.falls.expected(),
+        _ => {
+            let seen = f64::from(tally.falls.tries) + 2.0;
+            (tally.falls.expected() * seen + prior_risk * thinking.caution) / (seen + thinking.caution)
+        }
     };
     let trouble = thinking.trouble * libm::log2(1.0 + tally.freedom());
-    risk + STUCK * tally.stuck.share() + trouble + thinking.foresight * tally.prospect()
+    // The next player wins where the block falls, or by counting where it does not.
+    risk + STUCK * tally.stuck.share() + trouble + (1.0 - risk) * thinking.foresight * prospect
 }
 
 /// Draws `count` different bodies, or all where there are fewer.
@@ -214,10 +262,10 @@ mod tests {
         };
         let (safe, risky, hopeless) = (tally(0, 8), tally(2, 8), tally(8, 8));
         for strength in [Strength::Beginner, Strength::Skilled, Strength::Expert] {
-            let cost = |tally| cost(&strength.thinking(), tally);
+            let cost = |tally| cost(&strength.thinking(), tally, 0.1, 0.5);
             assert!(cost(&safe) < cost(&risky) && cost(&risky) < cost(&hopeless), "{strength:?}");
         }
-        let cost = |tally| cost(&Strength::Gentle.thinking(), tally);
+        let cost = |tally| cost(&Strength::Gentle.thinking(), tally, 0.1, 0.5);
         assert!(cost(&risky) < cost(&safe) && cost(&risky) < cost(&hopeless));
     }
 }

@@ -13,6 +13,8 @@ use std::collections::BTreeMap;
 
 use serde::Serialize;
 
+use teeter_physics::BodyId;
+
 use crate::blocks::Blocks;
 use crate::tower_map::TowerMap;
 
@@ -58,6 +60,21 @@ pub enum IdealMove {
 
 impl IdealMove {
     const ALL: [Self; 3] = [Self::Middle, Self::FirstEnd, Self::SecondEnd];
+
+    /// The move that takes a block of a tower as it stands. None where the rest of its row does not
+    /// bear what is above.
+    pub fn of(blocks: &Blocks, body: BodyId) -> Option<Self> {
+        let cells = TowerMap::new(blocks, None).cells();
+        let (_, at) = *cells.iter().find(|(other, _)| *other == body)?;
+        let mut row = [false; 3];
+        cells.iter().filter(|(_, cell)| cell.row == at.row).for_each(|(_, cell)| row[cell.cell as usize] = true);
+        match (row, at.cell) {
+            ([true, true, true], 1) => Some(Self::Middle),
+            ([true, true, true], _) => Some(Self::FirstEnd),
+            ([true, true, false], 0) | ([false, true, true], 2) => Some(Self::SecondEnd),
+            _ => None,
+        }
+    }
 }
 
 impl IdealPosition {

@@ -2,9 +2,9 @@
 
 use crate::common::{settled, tower};
 use teeter_game::{
-    BreakdownRun, Candidate, Event, Game, MoveEnd, MovePlan, Opponent, Phase, Record, RecordWriter, Recorder, Replay,
-    Rules, Strength, Survey, Table, Tally, Thinking, Thought, TrialErrors, choose, contest, load_world, roll_out,
-    save_world, verify,
+    Blocks, BreakdownRun, Candidate, Event, Game, IdealMove, IdealPosition, MoveEnd, MovePlan, Opponent, Phase, Record,
+    RecordWriter, Recorder, Replay, Rules, Strength, Survey, Table, Tally, Thinking, Thought, TrialErrors, choose,
+    contest, load_world, roll_out, save_world, verify,
 };
 use teeter_physics::{BodyId, Params, World};
 use teeter_scene::{TowerOptions, config};
@@ -103,6 +103,24 @@ fn an_opponent_that_thinks_takes_the_safe_block_of_a_tower_where_others_fell_it(
         let thinking = Thinking { budget: 40.0, ..strength.thinking() };
         let chosen = choose(&world, &official(), &removable, &thinking, 3).expect("estimates are towers");
         assert_eq!(chosen[0].candidate.body, BodyId(1), "{strength:?}: {chosen:?}");
+    }
+}
+
+#[test]
+fn an_expert_leaves_a_tower_that_loses_by_counting_where_it_can() {
+    let world = settled(&tower(4, 2)).world().clone();
+    let position = IdealPosition::of(&Blocks::of(&world)).expect("its rows are complete");
+    assert!(position.is_won());
+    let removable: Vec<BodyId> = (0..9).map(BodyId).collect();
+    let leaves_a_loss = |body: BodyId| {
+        let after = IdealMove::of(&Blocks::of(&world), body).and_then(|chosen| position.after(chosen));
+        after.is_some_and(|after| !after.is_won())
+    };
+    assert!(!removable.iter().all(|body| leaves_a_loss(*body)));
+    for seed in 0..3 {
+        let thinking = Thinking { budget: 15.0, ..Strength::Expert.thinking() };
+        let chosen = choose(&world, &official(), &removable, &thinking, seed).expect("estimates are towers");
+        assert!(leaves_a_loss(chosen[0].candidate.body), "{chosen:?}");
     }
 }
 
