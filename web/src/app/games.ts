@@ -80,7 +80,7 @@ export class Games {
     new ReplayBar(store, play, {
       challenge: () => this.challenge(),
       save: () => void this.sharing.save(this.opened?.bytes ?? null),
-      close: () => this.begin(modeOf('free').match(), store.state.settings.rows),
+      close: () => void this.leaveReplay(),
     });
     listenToDrops((bytes, name) => void this.openRecord(bytes, name));
     window.addEventListener('hashchange', () => void this.openLink());
@@ -218,9 +218,19 @@ export class Games {
     const verified = await this.opener.verify(bytes, dailySetup(dayOf(new Date())));
     if (!verified) return false;
     if (file !== null && verified.begins && !(await this.daily.offer(bytes, verified, file))) return false;
+    await this.autosave?.save();
     this.opened = { bytes, verified };
     this.opener.show(bytes, verified);
     return true;
+  }
+
+  /** Goes on with the game that the record interrupted, else with free play. */
+  private async leaveReplay(): Promise<void> {
+    const storage = await this.storage;
+    const game = await storage?.game(this.tab).catch(() => undefined);
+    if (!game) return this.begin(modeOf('free').match(), this.store.state.settings.rows);
+    this.clearLink();
+    this.resume(game);
   }
 
   private async openLink(): Promise<boolean> {

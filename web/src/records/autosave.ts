@@ -70,8 +70,10 @@ export class Autosave {
   private async write(world: number): Promise<void> {
     if (!this.storage) return this.complain();
     const { frame, match, settings } = this.store.state;
+    // Whoever watches a record can come back to the game.
+    if (match.mode === 'replay') return;
     const turn = frame?.update.turn;
-    if (turn?.phase === 'over' || match.mode === 'replay') return this.storage.remove(this.tab);
+    if (turn?.phase === 'over') return this.storage.remove(this.tab);
     const record = await this.client.ask({ what: 'record', state: true });
     if (!record || this.store.state.world?.world !== world) return;
     const game: SavedGame = {
