@@ -20,6 +20,13 @@ export interface TurnActions {
   height(): number;
 }
 
+/** Name of the player whose turn it is; that of the mode for one who plays alone and gave none. */
+function headingOf(match: Match, player: number): string {
+  const isAlone = match.players.length === 1 && !match.players[0].name;
+  const mode = games.modes[match.mode as keyof typeof games.modes];
+  return isAlone && mode ? mode.name : nameOf(match, player);
+}
+
 export class TurnCard {
   private readonly card = create('section', { id: 'turn', 'aria-label': games.turn.label, hidden: true });
   private readonly token = create('span', { class: 'now' });
@@ -58,7 +65,7 @@ export class TurnCard {
     if (!turn || !world?.rules) return;
     this.showPlayers(turn, match);
     const isOver = turn.phase === 'over';
-    setText(this.name, isOver ? outcomeLine(turn, match) : nameOf(match, turn.player));
+    setText(this.name, isOver ? outcomeLine(turn, match) : headingOf(match, turn.player));
     const { thinking } = state;
     setText(this.step, thinking === null ? stepOf(turn, world.rules) : games.turn.thinking);
     this.showClock(turn, world.rules);
