@@ -20,7 +20,7 @@ pub fn looseness(tightness_n: f64) -> f64 {
 }
 
 /// Returns the sum over the blocks that may be taken, and whose row stands without them, of their
-/// [`looseness`].
+/// `looseness`.
 pub fn freedom(world: &World, rules: &Rules) -> f64 {
     let blocks = Blocks::of(world);
     let cells = TowerMap::new(&blocks, None).cells();
