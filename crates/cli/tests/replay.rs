@@ -97,12 +97,12 @@ fn files_that_are_no_record_are_refused_by_the_name_of_their_fault() {
     let mut altered = bytes.clone();
     altered[bytes.len() / 2] ^= 1;
     let mut version = bytes.clone();
-    version[13] = 2;
+    version[13] = 3;
     let cases = [
         (&b"{}"[..], "this is no record of a game"),
         (&bytes[..bytes.len() / 2], "the record is truncated: "),
         (&altered, "the record is altered: "),
-        (&version, "a record of version 2, and this program reads version 1"),
+        (&version, "a record of version 3, and this program reads versions up to 2"),
     ];
     for (bytes, message) in cases {
         let done = teeter_with(&["replay", "-", "--verify", "--json"], bytes);

@@ -93,9 +93,11 @@ const message: v.GenericSchema<ToWorker> = v.variant('type', [
 export function readBy<T>(schema: v.GenericSchema<T>, value: unknown): T {
   const { success, output, issues } = v.safeParse(schema, value, { abortEarly: true });
   if (success) return output;
-  const [{ expected, requirement }] = issues;
+  const [{ expected, requirement, type }] = issues;
   const path = v.getDotPath(issues[0]) ?? 'the message';
-  throw new Error(`${path}: expected ${expected ?? String(requirement)}`);
+  // The requirement of some is a function: the name of the type says more.
+  const wanted = typeof requirement === 'function' ? type : requirement;
+  throw new Error(`${path}: expected ${expected ?? String(wanted)}`);
 }
 
 /** Reads a message to the worker. Throws an Error that names the field where it is none. */

@@ -239,6 +239,7 @@ test('an error names the field and the question', () => {
 
 test('a damaged record is refused, and the previous game goes on', async () => {
   host.post({ type: 'build', world: WORLD, setup });
+  host.post({ type: 'pause', paused: true });
   const kinds = fc.constantFrom('record', 'replay');
   await fc.assert(
     fc.asyncProperty(fc.nat(), fc.integer({ min: 1, max: 255 }), kinds, async (at, xor, kind) => {

@@ -20,9 +20,10 @@ pub enum Strength {
     Random,
     /// Tries a few blocks in mind, and sees them badly.
     Beginner,
-    /// Tests which blocks are loose, and tries the best of them.
+    /// Tries more blocks in mind, and sees them well.
     Skilled,
-    /// Sees well, tries many, counts the moves that are left, and leaves the next player hard ones.
+    /// Tests which blocks are loose, tries the best of them, and of equal ones prefers those that
+    /// leave the next player hard ones and a game that counting moves loses.
     Expert,
     /// Lets a child win: takes hard blocks upon itself and leaves the easy ones.
     Gentle,
@@ -88,11 +89,11 @@ impl Strength {
         };
         match self {
             Self::Random => thinking(1, false, 0.0, EstimateErrors::none()),
-            Self::Beginner => thinking(5, false, 20.0, errors(1e-4, 0.2, 1e-3)),
-            Self::Skilled => thinking(5, true, 50.0, errors(5e-5, 0.1, 5e-4)),
+            Self::Beginner => thinking(4, false, 20.0, errors(1e-4, 0.2, 1e-3)),
+            Self::Skilled => thinking(6, false, 50.0, errors(5e-5, 0.1, 5e-4)),
             Self::Expert => {
                 let thinking = thinking(8, true, 130.0, errors(2e-5, 0.05, 2e-4));
-                Thinking { trouble: 0.02, foresight: 1.0, caution: 4.0, ..thinking }
+                Thinking { trouble: 0.02, foresight: 0.1, caution: 4.0, ..thinking }
             }
             Self::Gentle => Thinking { trouble: -0.05, risk: 0.5, ..thinking(4, false, 80.0, errors(5e-5, 0.1, 5e-4)) },
         }

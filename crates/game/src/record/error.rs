@@ -13,7 +13,7 @@ pub enum RecordError {
     #[error("this is no record of a game: it does not begin like one")]
     Foreign,
     /// The layout is that of another version.
-    #[error("a record of version {found}, and this program reads version {expected}")]
+    #[error("a record of version {found}, and this program reads versions up to {expected}")]
     Version {
         /// Version of the bytes.
         found: u8,
