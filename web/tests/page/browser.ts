@@ -46,7 +46,11 @@ export class Session {
       if (message.type() === 'error' || message.type() === 'warning') this.complaints.push(message.text());
     });
     page.on('pageerror', error => this.complaints.push(error.message));
-    page.on('requestfailed', request => this.complaints.push(`request failed: ${request.url()}`));
+    page.on('requestfailed', request => {
+      // A navigation ends the requests of the page that it leaves.
+      const isEnded = request.failure()?.errorText === 'net::ERR_ABORTED';
+      if (!isEnded) this.complaints.push(`request failed: ${request.url()}`);
+    });
   }
 
   /**
