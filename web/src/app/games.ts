@@ -108,13 +108,12 @@ export class Games {
   /** Requests the world that the page opens with; returns false for that of the settings. */
   async open(): Promise<boolean> {
     if (await this.openLink()) return true;
-    const storage = await this.storage;
-    const own = await storage?.game(this.tab).catch(() => undefined);
+    const own = await this.ownGame();
     if (own && own.search === location.search) {
       this.resume(own);
       return true;
     }
-    const other = await storage?.newest().catch(() => null);
+    const other = await (await this.storage)?.newest().catch(() => null);
     if (other && other.turn > 1) this.offer(other);
     const { mode } = this.store.state.match;
     if (mode === 'free') this.guide();
@@ -226,8 +225,7 @@ export class Games {
 
   /** Goes on with the game that the record interrupted, else with free play. */
   private async leaveReplay(): Promise<void> {
-    const storage = await this.storage;
-    const game = await storage?.game(this.tab).catch(() => undefined);
+    const game = await this.ownGame();
     if (!game) return this.begin(modeOf('free').match(), this.store.state.settings.rows);
     this.clearLink();
     this.resume(game);
@@ -241,6 +239,11 @@ export class Games {
   /** Another game is not that of the link any more. */
   private clearLink(): void {
     if (recordIn(location.hash)) history.replaceState(null, '', location.pathname + location.search);
+  }
+
+  /** Unfinished game of this tab. */
+  private async ownGame(): Promise<SavedGame | undefined> {
+    return (await this.storage)?.game(this.tab).catch(() => undefined);
   }
 
   private resume({ record, match, settings }: SavedGame): void {

@@ -2,6 +2,7 @@
 // the engine from disk.
 
 import { readFile } from 'node:fs/promises';
+import fc from 'fast-check';
 import { vi } from 'vitest';
 
 const WASM = new URL('../../src/wasm/', import.meta.url);
@@ -40,21 +41,36 @@ export class WorkerHost<FromWorker> {
   }
 }
 
-/** True for a value that can be in a message between threads. */
-export function isCloneable(value: unknown): boolean {
+/** True where an action does not throw. */
+function succeeds(action: () => unknown): boolean {
   try {
-    structuredClone(value);
+    action();
     return true;
   } catch {
     return false;
   }
 }
 
+/** True for a value that can be in a message between threads. */
+export const isCloneable = (value: unknown): boolean => succeeds(() => structuredClone(value));
+
+/** True for a message that `read` takes: it may still be refused by the engine. */
+export const isReadBy = (read: (data: unknown) => unknown, data: unknown): boolean =>
+  succeeds(() => read(structuredClone(data)));
+
+/** Messages with a part, at most `depth` steps into them, that is missing or another value. */
+export function damaged(messages: fc.Arbitrary<unknown>, values: fc.Arbitrary<unknown>, depth: number) {
+  const steps = fc.array(fc.nat(20), { minLength: 1, maxLength: depth });
+  return fc
+    .tuple(messages, steps, fc.option(fc.record({ value: values })))
+    .map(([message, steps, to]) => changed(message, steps, to));
+}
+
 /**
  * Copy of a value with one part changed, or left out for null. Each step into it is a number, taken
  * modulo the number of fields.
  */
-export function changed(value: unknown, steps: readonly number[], to: { value: unknown } | null): unknown {
+function changed(value: unknown, steps: readonly number[], to: { value: unknown } | null): unknown {
   if (typeof value !== 'object' || value === null || ArrayBuffer.isView(value) || steps.length === 0) return to?.value;
   const copy = (Array.isArray(value) ? [...value] : { ...value }) as Record<string, unknown>;
   const keys = Object.keys(copy);
