@@ -23,7 +23,7 @@ pub use json::MAX_BYTES;
 pub use named::{NAMED, NamedScene, Stability, named};
 pub use notation::{Cell, MAX_ROWS, Notation};
 pub use preset::BlockPreset;
-pub use printable::{printable, printable_json};
+pub use printable::{is_hidden, printable, printable_json, printable_start};
 pub use random::Random;
 pub use scene::{Block, Scene, default_stiffness, standard_gravity};
 pub use settle::{Move, Settlement, settle};

@@ -30,16 +30,30 @@ pub fn printable_json(json: &str) -> String {
     text
 }
 
-/// Printable text of limited length, for a message.
-pub(crate) fn shown(text: &str) -> String {
-    let mut start: String = text.chars().take(MAX_SHOWN).collect();
+/// Returns the first characters of a text, printable, with an ellipsis where there are more.
+///
+/// ```
+/// assert_eq!(teeter_scene::printable_start("a\u{7}bcd", 3), "a b…");
+/// ```
+pub fn printable_start(text: &str, max_chars: usize) -> String {
+    let mut start: String = text.chars().take(max_chars).collect();
     if start.len() < text.len() {
         start.push('…');
     }
     printable(&start)
 }
 
-fn is_hidden(c: char) -> bool {
+/// Printable text of limited length, for a message.
+pub(crate) fn shown(text: &str) -> String {
+    printable_start(text, MAX_SHOWN)
+}
+
+/// Returns true for a character that [`printable`] replaces.
+///
+/// ```
+/// assert!(teeter_scene::is_hidden('\u{202e}') && !teeter_scene::is_hidden('é'));
+/// ```
+pub fn is_hidden(c: char) -> bool {
     c.is_control()
         || matches!(c,
             '\u{ad}' | '\u{61c}' | '\u{180e}' | '\u{200b}'..='\u{200f}' | '\u{2028}'..='\u{202e}'

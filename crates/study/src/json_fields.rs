@@ -2,7 +2,7 @@
 
 use glam::{DQuat, DVec3};
 use serde_json::{Map, Value};
-use teeter_scene::printable;
+use teeter_scene::printable_start;
 
 /// Similarity from which a name counts as misspelt: 0 for none, 1 for the same name.
 const NEAR: f64 = 0.6;
@@ -92,7 +92,7 @@ impl<'a> Fields<'a> {
         match map.keys().find(|name| !kind.fields.contains(&name.as_str())) {
             None => Ok(fields),
             Some(name) => Err(FieldError::Unknown {
-                path: fields.path_of(&shown(name)),
+                path: fields.path_of(&printable_start(name, MAX_QUOTED)),
                 noun: kind.noun,
                 nearest: nearest(name, kind),
                 fields: kind.fields,
@@ -182,15 +182,6 @@ fn nearest(name: &str, kind: &Kind) -> Option<&'static str> {
 fn numbers<const N: usize>(value: &Value) -> Option<[f64; N]> {
     let list: Vec<f64> = value.as_array()?.iter().map(Value::as_f64).collect::<Option<_>>()?;
     list.try_into().ok()
-}
-
-/// Printable name of limited length.
-fn shown(name: &str) -> String {
-    let mut start: String = name.chars().take(MAX_QUOTED).collect();
-    if start.len() < name.len() {
-        start.push('…');
-    }
-    printable(&start)
 }
 
 /// Value of a message.

@@ -127,7 +127,7 @@ impl Thought {
         let blocks = Blocks::of(&world);
         let prior = |candidate: &Candidate| {
             let risk = prior_risk(candidate);
-            risk + (1.0 - risk) * thinking.foresight * prospect_after(&blocks, rules, candidate.body)
+            risk + (1.0 - risk) * thinking.foresight * prospect_left(thinking, &blocks, rules, candidate)
         };
         let ranking = Some(Ranking::by(&world, &bodies, count, prior));
         let errors = TrialErrors { estimate: thinking.errors, hand: HandNoise::default() };
@@ -183,7 +183,7 @@ impl Thought {
         let Some(ranking) = self.ranking.take() else { return };
         self.candidates = ranking.finish();
         let (blocks, rules) = (Blocks::of(self.run.world()), self.run.rules());
-        self.prospects = self.candidates.iter().map(|c| prospect_after(&blocks, rules, c.body)).collect();
+        self.prospects = self.candidates.iter().map(|c| prospect_left(&self.thinking, &blocks, rules, c)).collect();
         if self.thinking.budget > 0.0 {
             self.halving = Halving::new(self.candidates.len(), self.thinking.budget);
             self.run.begin(self.candidates.iter().map(Candidate::plan).collect());
@@ -208,6 +208,11 @@ impl Thought {
 /// Chance of a fall by the X-ray alone.
 fn prior_risk(candidate: &Candidate) -> f64 {
     TIGHT_FALLS * (1.0 - looseness(candidate.tightness_n))
+}
+
+/// Prospect that a move leaves the next player; one who does not weigh it does not count.
+fn prospect_left(thinking: &Thinking, blocks: &Blocks, rules: &Rules, candidate: &Candidate) -> f64 {
+    if thinking.foresight == 0.0 { 0.0 } else { prospect_after(blocks, rules, candidate.body) }
 }
 
 fn cost(thinking: &Thinking, tally: &Tally, prior_risk: f64, prospect: f64) -> f64 {

@@ -28,7 +28,7 @@ impl Writer {
 
     /// Writes a whole number of either sign: zigzag, so that small ones are short.
     pub fn signed(&mut self, value: i64) {
-        self.unsigned(((value << 1) ^ (value >> 63)) as u64);
+        self.unsigned(zigzag(value));
     }
 
     /// Writes a number exactly: as a multiple of a millionth where it is one, else as it is.
@@ -48,6 +48,16 @@ impl Writer {
         self.unsigned(bytes.len() as u64);
         self.0.extend(bytes);
     }
+}
+
+/// Returns a whole number of either sign as one without: small where it is near zero.
+pub fn zigzag(value: i64) -> u64 {
+    ((value << 1) ^ (value >> 63)) as u64
+}
+
+/// Returns the number of which [`zigzag`] returns `value`.
+pub fn unzigzag(value: u64) -> i64 {
+    (value >> 1) as i64 ^ -((value & 1) as i64)
 }
 
 /// Returns k where `value` is exactly k / `parts`, as a decimal fraction is read.
@@ -121,8 +131,7 @@ impl<'a> Reader<'a> {
 
     /// Reads a whole number of either sign.
     pub fn signed(&mut self) -> Result<i64, RecordError> {
-        let value = self.unsigned()?;
-        Ok((value >> 1) as i64 ^ -((value & 1) as i64))
+        self.unsigned().map(unzigzag)
     }
 
     /// Reads a number.

@@ -1,5 +1,7 @@
 //! Names of the players of a record.
 
+use teeter_scene::is_hidden;
+
 use crate::record::bytes::{Reader, Writer};
 use crate::record::error::RecordError;
 
@@ -52,16 +54,9 @@ impl PlayerNames {
 }
 
 fn cleaned(name: &str) -> String {
-    let name: String = name.chars().filter(|c| !is_control(*c)).collect();
+    let name: String = name.chars().filter(|c| !is_hidden(*c)).collect();
     let name: String = name.trim().chars().take(MAX_CHARS).collect();
     name.trim_end().to_owned()
-}
-
-/// True of control characters, of those that end a line, and of those that turn the direction of
-/// writing and so can make a name look like what stands beside it.
-fn is_control(c: char) -> bool {
-    c.is_control()
-        || matches!(c, '\u{200e}' | '\u{200f}' | '\u{2028}'..='\u{202e}' | '\u{2066}'..='\u{2069}' | '\u{feff}')
 }
 
 #[cfg(test)]

@@ -3,7 +3,7 @@
 //!
 //! R. F. Rice, "Some practical universal noiseless coding techniques", JPL publication 79-22, 1979.
 
-use crate::record::bytes::{Reader, Writer};
+use crate::record::bytes::{Reader, Writer, unzigzag, zigzag};
 use crate::record::error::RecordError;
 
 /// Number of ones from which a number follows with all its bits.
@@ -60,13 +60,9 @@ pub fn read_column(reader: &mut Reader, count: usize) -> Result<Vec<i64>, Record
             }
             high | bits.take(parameter)?
         };
-        column.push((value >> 1) as i64 ^ -((value & 1) as i64));
+        column.push(unzigzag(value));
     }
     Ok(column)
-}
-
-fn zigzag(value: i64) -> u64 {
-    ((value << 1) ^ (value >> 63)) as u64
 }
 
 /// Number of bits of a value.
