@@ -15,7 +15,7 @@ from multiprocessing import get_context
 from typing import Any, Protocol
 
 from teeter.errors import StudyError, WorkerError
-from teeter.study.extra import needed
+from teeter.study.dask_executor import Dask
 from teeter.study.ray_executor import Ray
 from teeter.study.sample import checked_count
 
@@ -158,43 +158,6 @@ class Processes(Futures):
     def close(self) -> None:
         """Ends the processes."""
         self.pool.shutdown(cancel_futures=True)
-
-
-class Dask(Futures):
-    """Workers of Dask. It needs ``pip install 'teeter[dask]'``.
-
-    address: of a scheduler; a client; or None for processes of this machine. workers: of this machine, one a
-    core by default.
-    """
-
-    def __init__(self, address: Any = None, workers: int | None = None) -> None:
-        distributed = needed("distributed", "dask")
-        self._owned: list[Any] = []
-        if address is None:
-            workers = _cores() if workers is None else checked_count("workers", workers, 1, MAX_WORKERS)
-            # A port for the dashboard may be taken, and its pages need further packages.
-            address = distributed.LocalCluster(n_workers=workers, threads_per_worker=1, dashboard_address=None)
-            self._owned = [address]
-        self.client = address
-        if not isinstance(address, distributed.Client):
-            try:
-                self.client = distributed.Client(address)
-            except (OSError, ValueError) as error:
-                line = " ".join(str(error).split())
-                raise StudyError(f"`address` is {address}, where no cluster is reached: {line}", "address") from error
-            self._owned.insert(0, self.client)
-        lost = (distributed.scheduler.KilledWorker, futures.CancelledError)
-        super().__init__(self.client.get_executor(pure=False), 1, lost)
-
-    @property
-    def workers(self) -> int:
-        """Number of threads of all workers that are there now."""
-        return max(1, int(sum(self.client.nthreads().values())))
-
-    def close(self) -> None:
-        """Closes the client and the workers that were started here."""
-        for owned in self._owned:
-            owned.close()
 
 
 def executor_of(executor: Any, workers: int | None = None, address: str | None = None) -> Executor:
