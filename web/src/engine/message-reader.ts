@@ -2,7 +2,7 @@
 
 import * as v from 'valibot';
 import type { GameCommand } from './game-protocol';
-import type { Question, Rules, SceneSource, Setup, ToWorker } from './protocol';
+import type { Rules, SceneSource, Setup, ToWorker } from './protocol';
 
 /** Largest number in a message: finite also after it is multiplied and added up. */
 const MAX_NUMBER = 1e12;
@@ -13,7 +13,7 @@ export const real = v.pipe(v.number(), v.minValue(-MAX_NUMBER), v.maxValue(MAX_N
 export const index = v.pipe(v.number(), v.integer(), v.minValue(0), v.maxValue(2 ** 32 - 1));
 export const bytes = v.instance(Uint8Array);
 export const address = v.pipe(v.string(), v.url());
-const vec = v.strictTuple([real, real, real]);
+export const vec = v.strictTuple([real, real, real]);
 const quat = v.strictTuple([real, real, real, real]);
 const slot = v.nullable(v.object({ row: index, cell: index }));
 const form = v.picklist(['rigid', 'lattice']);
@@ -66,7 +66,7 @@ export const setup: v.GenericSchema<Setup> = v.object({
   computers: v.array(v.object({ player: index, strength: v.string(), seed })),
 });
 
-const question: v.GenericSchema<Question> = v.variant('what', [
+export const question = v.variant('what', [
   v.object({ what: v.literal('hash') }),
   v.object({ what: v.literal('hashes'), until: real }),
   v.object({ what: v.literal('contacts'), body: index }),
@@ -76,7 +76,12 @@ const question: v.GenericSchema<Question> = v.variant('what', [
   v.object({ what: v.literal('xray') }),
 ]);
 
-const watched = v.object({ springs: v.boolean(), xray: v.boolean(), sound: v.boolean(), selected: v.nullable(index) });
+export const watched = v.object({
+  springs: v.boolean(),
+  xray: v.boolean(),
+  sound: v.boolean(),
+  selected: v.nullable(index),
+});
 
 const message: v.GenericSchema<ToWorker> = v.variant('type', [
   v.object({ type: v.literal('build'), world: index, setup }),

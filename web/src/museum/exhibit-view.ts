@@ -207,6 +207,8 @@ export class ExhibitView {
   private receive(message: FromPlane): void {
     if (message.type === 'failed') return this.showNote(PLANE.failed(message.message));
     if (message.type === 'refused') return this.showNote(message.message);
+    // A fault of the page.
+    if (message.type === 'invalid') return console.error(new Error(message.message));
     if (message.scene !== this.scene) return;
     const { counts, factor } = message;
     // Without a step of the method the counters of the last one stay.

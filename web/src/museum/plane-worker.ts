@@ -4,9 +4,10 @@
 import { FRAME } from '../engine/game-protocol';
 import { Loop } from '../engine/loop';
 import { Speedometer } from '../engine/pacing';
-import { errorText, guarded } from '../engine/worker-errors';
+import { errorText, guarded, isRefusal } from '../engine/worker-errors';
 import load, { Plane } from '../wasm/teeter_museum.js';
-import type { FromPlane, PlaneCounts, ToPlane } from './protocol';
+import { readToPlane } from './message-reader';
+import type { FromPlane, PlaneCounts, PlaneSetup, ToPlane } from './protocol';
 
 /** Largest time for the steps of one frame, s: steps beyond it are dropped. */
 const BUDGET = 0.012;
@@ -62,17 +63,38 @@ function restart(): void {
   loop.restart();
 }
 
-function receive(message: ToPlane): void {
+/** Builds a scene; where that fails the previous one goes on. */
+function build(number: number, setup: PlaneSetup): void {
+  const next = new Plane(JSON.stringify(setup));
+  plane?.free();
+  plane = next;
+  scene = number;
+  show();
+  restart();
+}
+
+/** Carries out a message. One that cannot be read or met changes nothing. */
+function receive(data: unknown): void {
+  let message: ToPlane;
+  try {
+    message = readToPlane(data);
+  } catch (error) {
+    send({ type: 'invalid', message: errorText(error) });
+    return;
+  }
+  try {
+    carryOut(message);
+  } catch (error) {
+    if (!isRefusal(error)) throw error;
+    send({ type: 'refused', message: errorText(error) });
+  }
+}
+
+function carryOut(message: ToPlane): void {
   switch (message.type) {
-    case 'build': {
-      const { method, setting, count, gap, stiffness } = message.setup;
-      plane?.free();
-      plane = new Plane(JSON.stringify({ method, setting, count, gap, stiffness }));
-      scene = message.scene;
-      show();
-      restart();
+    case 'build':
+      build(message.scene, message.setup);
       break;
-    }
     case 'speed':
       speed = message.speed;
       restart();
@@ -91,23 +113,19 @@ function receive(message: ToPlane): void {
       plane?.release();
       break;
     case 'add':
-      try {
-        plane?.add(message.x, message.y, message.vx, message.vy);
-      } catch (error) {
-        send({ type: 'refused', message: errorText(error) });
-      }
+      plane?.add(message.x, message.y, message.vx, message.vy);
       if (plane && speed === 0) show();
       break;
   }
 }
 
 // Messages that come before the module is loaded wait.
-const early: ToPlane[] = [];
-self.onmessage = (event: MessageEvent<ToPlane>) => void early.push(event.data);
+const early: unknown[] = [];
+self.onmessage = (event: MessageEvent<unknown>) => void early.push(event.data);
 load().then(
   exports => {
     memory = exports.memory;
-    self.onmessage = (event: MessageEvent<ToPlane>) => guard(() => receive(event.data));
+    self.onmessage = (event: MessageEvent<unknown>) => guard(() => receive(event.data));
     for (const message of early) guard(() => receive(message));
   },
   (error: unknown) => send({ type: 'failed', message: `the simulator did not load (${errorText(error)})` }),

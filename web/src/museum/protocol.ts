@@ -61,7 +61,7 @@ export type Request2003 =
 export type MuseumQuestion = Question | { what: 'constants' } | { what: 'set'; values: ConstantValues };
 
 export type ToMuseum =
-  | Exclude<ToWorker<MuseumSetup>, { type: 'ask' }>
+  | Extract<ToWorker<MuseumSetup>, { type: 'build' | 'command' | 'pause' | 'watch' }>
   | { type: 'ask'; id: number; question: MuseumQuestion }
   | { type: 'request'; world: number; request: Request2003 };
 
@@ -159,5 +159,7 @@ export type FromPlane =
   | PlaneFrame
   /** A request that cannot be met. */
   | { type: 'refused'; message: string }
+  /** A message that cannot be read, a fault of the page; all is as it was. */
+  | { type: 'invalid'; message: string }
   /** The worker cannot go on. */
   | { type: 'failed'; message: string };

@@ -6,12 +6,14 @@ import { CommandQueue, IDLE } from '../engine/command-queue';
 import { Game } from '../engine/game';
 import { FRAME, type TimedReport, type Update } from '../engine/game-protocol';
 import { Loop } from '../engine/loop';
+import { questionId } from '../engine/message-reader';
 import { Speedometer } from '../engine/pacing';
 import type { FromWorker } from '../engine/protocol';
 import { sceneText } from '../engine/scene';
-import { errorText, guarded } from '../engine/worker-errors';
+import { errorText, guarded, isRefusal } from '../engine/worker-errors';
 import loadMuseum from '../wasm/teeter_museum.js';
 import loadEngine from '../wasm/teeter_wasm.js';
+import { readToMuseum } from './message-reader';
 import type { ConstantValues, MuseumFrame, MuseumQuestion, MuseumSetup, Report2003, ToMuseum } from './protocol';
 import { Game2003 } from './tower-2003';
 
@@ -166,7 +168,17 @@ function setConstants(values: ConstantValues): string | null {
   }
 }
 
-function receive(message: ToMuseum): void {
+/** Carries out a message. One that is refused changes nothing. */
+function receive(data: unknown): void {
+  try {
+    carryOut(readToMuseum(data));
+  } catch (error) {
+    if (!isRefusal(error)) throw error;
+    send({ type: 'invalid', id: questionId(data), message: errorText(error) });
+  }
+}
+
+function carryOut(message: ToMuseum): void {
   switch (message.type) {
     case 'build':
       build(message);
@@ -193,7 +205,7 @@ function receive(message: ToMuseum): void {
 Promise.all([loadEngine(), loadMuseum()]).then(
   ([ofEngine, ofOld]) => {
     memory = { engine: ofEngine.memory, old: ofOld.memory };
-    self.onmessage = (event: MessageEvent<ToMuseum>) => guard(() => receive(event.data));
+    self.onmessage = (event: MessageEvent<unknown>) => guard(() => receive(event.data));
     send({ type: 'scenes', list: [] });
   },
   (error: unknown) => send({ type: 'failed', message: `the simulators did not load (${errorText(error)})` }),

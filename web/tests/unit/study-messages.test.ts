@@ -8,7 +8,8 @@ import type { Setup } from '../../src/engine/protocol';
 import type { FromStudy } from '../../src/study/jobs';
 import { readStudyMessage } from '../../src/study/job-reader';
 import { Game, towerScene } from '../../src/wasm/teeter_wasm.js';
-import { damaged, ENGINES, isCloneable, isReadBy, WorkerHost } from './worker-host';
+import { anything, damaged, ENGINES, isReadBy } from './arbitraries';
+import { WorkerHost } from './worker-host';
 
 const RECORD = new URL('../../../data/golden/contest.record', import.meta.url);
 /** Seed of the messages: those of a run can be had again. */
@@ -113,7 +114,6 @@ const valid = fc.oneof(
   { weight: 5, arbitrary: fc.record({ type: fc.constant('run'), id, job }) },
   { weight: 1, arbitrary: fc.record({ type: fc.constant('stop'), id }) },
 );
-const anything = fc.anything({ withMap: true, withTypedArray: true, withBigInt: true }).filter(isCloneable);
 
 /** Posts messages; those that are none are answered by an error, and the worker goes on. */
 async function checkAll(messages: fc.Arbitrary<unknown>, numRuns: number): Promise<void> {

@@ -5,7 +5,8 @@ import fc from 'fast-check';
 import { beforeAll, expect, test } from 'vitest';
 import { readMessage } from '../../src/engine/message-reader';
 import type { FromWorker, ToWorker } from '../../src/engine/protocol';
-import { damaged, ENGINES, isCloneable, isReadBy, WorkerHost } from './worker-host';
+import { anything, body, command, damaged, ENGINES, form, isReadBy, real, watched } from './arbitraries';
+import { WorkerHost } from './worker-host';
 
 const WORLD = 1;
 const RECORD = new URL('../../../data/golden/contest.record', import.meta.url);
@@ -41,31 +42,6 @@ const setup = {
   computers: [],
 };
 
-const real = fc.oneof(fc.double({ min: -1, max: 1, noNaN: true }), fc.double({ min: -1e12, max: 1e12, noNaN: true }));
-const vec = fc.tuple(real, real, real);
-const body = fc.oneof(fc.nat(12), fc.nat());
-const slot = fc.option(fc.record({ row: fc.nat(9), cell: fc.nat(9) }));
-const form = fc.constantFrom('rigid', 'lattice');
-const command = fc.oneof(
-  fc.constantFrom('idle', 'poke', 'release', 'resign').map(name => ({ command: name })),
-  fc.record({
-    command: fc.constant('grasp'),
-    body,
-    anchor: vec,
-    normal: vec,
-    grip: fc.constantFrom('auto', 'slide', 'carry', 'push'),
-  }),
-  fc.record({
-    command: fc.constant('move'),
-    displacement: vec,
-    slot,
-    toward_viewer: fc.option(fc.tuple(real, real)),
-  }),
-  fc.record({ command: fc.constant('turn'), rotation: fc.tuple(real, real, real, real) }),
-  fc.record({ command: fc.constant('place'), body: fc.option(body), slot }),
-  fc.record({ command: fc.constant('set_hand'), max_force: real, careful: fc.boolean(), can_turn: fc.boolean() }),
-  fc.record({ command: fc.constant('set_blocks'), form, spring_stiffness: fc.option(real) }),
-);
 const source = fc.oneof(
   fc.record({
     kind: fc.constant('tower'),
@@ -116,18 +92,7 @@ const valid = fc.oneof(
     weight: 1,
     arbitrary: fc.record({ type: fc.constant('speed'), speed: fc.double({ min: 1e-3, max: 1e3, noNaN: true }) }),
   },
-  {
-    weight: 1,
-    arbitrary: fc.record({
-      type: fc.constant('watch'),
-      watched: fc.record({
-        springs: fc.boolean(),
-        xray: fc.boolean(),
-        sound: fc.boolean(),
-        selected: fc.option(body),
-      }),
-    }),
-  },
+  { weight: 1, arbitrary: fc.record({ type: fc.constant('watch'), watched }) },
   { weight: 1, arbitrary: fc.record({ type: fc.constant('seek'), world, frame: fc.nat() }) },
   {
     weight: 1,
@@ -140,17 +105,6 @@ const valid = fc.oneof(
   },
   { weight: 2, arbitrary: fc.record({ type: fc.constant('ask'), id: fc.constant(0), question }) },
 );
-const anything = fc
-  .anything({
-    withDate: true,
-    withMap: true,
-    withSet: true,
-    withTypedArray: true,
-    withSparseArray: true,
-    withBigInt: true,
-  })
-  .filter(isCloneable);
-
 /** Posts a message and checks the answer: the worker goes on, and an error changes nothing. */
 function check(data: unknown): void {
   const before = hash();
