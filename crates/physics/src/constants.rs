@@ -59,6 +59,8 @@ pub const FREE_SYNC_ROTATION: f64 = 2e-2;
 pub const SYNC_SHARE: f64 = 0.5;
 /// Smallest travel budget of a body between two syncs, m.
 pub const MIN_TRAVEL_BUDGET: f64 = 2e-6;
+/// Budget of a body that needs none, m; its square is within single precision.
+pub const UNLIMITED: f64 = 1e15;
 /// Number of substeps between two checks of the budgets.
 pub const BUDGET_CHECK_INTERVAL: usize = 4;
 
@@ -75,15 +77,26 @@ pub const TANGENTIAL_DAMPING: f64 = 0.9;
 /// Sliding speed at which friction is halfway between static and kinetic, m/s.
 pub const STRIBECK_SPEED: f64 = 1e-3;
 
-/// Range of the detection margin of a body, m. Within it the margin is speed times [`MARGIN_TIME`].
-pub const MARGIN_RANGE: (f64, f64) = (5e-5, 1.5e-3);
-/// Detection margin over the speed of a body, s.
+/// Range of the margin by which the bounds of a body are grown, m. Within it the margin is speed
+/// times [`MARGIN_TIME`].
+pub const MARGIN_RANGE: (f64, f64) = (5e-5, 1e-2);
+/// Margin over the speed of a body, and reach over that of a pair, s.
 pub const MARGIN_TIME: f64 = 8e-3;
-/// Smallest travel before the next detection of a body that is near another but not in front of any
-/// of its faces, m: it bounds the penetration at which such bodies are detected.
+/// Range of the separation up to which a pair gets a manifold, m. Within it that is the speed
+/// against each other times [`MARGIN_TIME`].
+pub const REACH_RANGE: (f64, f64) = (1e-4, 3e-3);
+/// Smallest ratio of the reach of the last test of a pair to the one that it would have now; it is
+/// tested again where they differ by more.
+pub const MIN_REACH_SHARE: f64 = 0.5;
+/// Smallest travel against each other before the next detection of two bodies that are near but not
+/// in front of any of their faces, m: it bounds the penetration at which such bodies are detected.
 pub const MIN_NEAR_TRAVEL: f64 = 1e-4;
-/// Share of its margin that a body may travel before its contacts are detected again.
+/// Share of its margin that a body may travel before its bounds are renewed, and of its limit that
+/// a pair may before it is tested again.
 pub const MARGIN_SHARE: f64 = 0.7;
+/// Deviation from uniform motion that requires a sync of a body, over the travel that is left to a
+/// pair of it: an impact changes how fast its bodies move against each other.
+pub const DEVIATION_SHARE: f64 = 0.25;
 /// Radius of the edges of sharp blocks over the middle edge of a block: the normal of edges that
 /// meet follows from the rounding. A larger radius moves the edges on which a tilted block stands,
 /// a smaller one makes a wall of a seam that gives by less.

@@ -55,10 +55,10 @@ pub enum SnapshotError {
 }
 
 /// Kind of a snapshot: name and version of its layout.
-const KIND: &[u8] = b"teeter\x00\x05";
+const KIND: &[u8] = b"teeter\x00\x06";
 /// First bytes that [`World::hash`] covers, before the state: its version. Equal states keep their
 /// hash when only the envelope of the snapshot changes.
-const HASH_VERSION: &[u8] = b"teeter\x00\x04";
+const HASH_VERSION: &[u8] = b"teeter\x00\x05";
 
 /// Maximum of all numbers of a state, in their units: far above any that a world comes to, and its
 /// square is within single precision.
@@ -94,6 +94,7 @@ impl State {
             && self.bodies.fixed == fixed
             && valid_state::are_bodies(&self.bodies, &world.shapes)
             && valid_state::are_manifolds(&self.contacts.manifolds, n)
+            && valid_state::are_cached(&self.contacts.cache, n)
             && bounds().all(|bound| bound.min.cmple(bound.max).all())
             && self.clusters.iter().all(|(ids, _)| !ids.is_empty() && ids.is_sorted())
             && ids.into_iter().eq(0..n as u32)
@@ -117,7 +118,7 @@ impl World {
             whole.push(cluster, i);
         }
         for cluster in &self.clusters.list {
-            whole.adopt(&cluster.contacts.manifolds, |i| Some(cluster.ids[i as usize]));
+            whole.adopt(&cluster.contacts, |i| Some(cluster.ids[i as usize]));
         }
         let state = State {
             time: self.time,

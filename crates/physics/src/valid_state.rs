@@ -4,6 +4,7 @@
 use glam::{DQuat, DVec3};
 
 use crate::body::{Bodies, FLOOR, Shapes, point_speed};
+use crate::collision::cached_pair::CachedPair;
 use crate::collision::manifold::{Manifold, SeparatingAxis};
 
 /// Maximum deviation from length 1, and from a right angle, that rounding may have caused.
@@ -34,6 +35,15 @@ pub fn are_manifolds(manifolds: &[Manifold], n: usize) -> bool {
     let in_range = |m: &Manifold| (m.b as usize) < n && m.a != m.b && (m.a == FLOOR || (m.a as usize) < n);
     manifolds.iter().all(|m| in_range(m) && is_axis(m.axis) && is_frame(&m.frame) && has_points(m))
         && manifolds.is_sorted_by(|m, next| m.key() < next.key())
+}
+
+/// Returns true if the cached pairs can be those of `n` bodies: sorted, and between two bodies or a
+/// body and the floor.
+pub fn are_cached(cache: &[CachedPair], n: usize) -> bool {
+    let in_range = |[low, high]: [u32; 2]| (low == FLOOR || low < high) && (high as usize) < n;
+    let valid = |cached: &CachedPair| cached.reach >= 0.0 && cached.limit >= 0.0 && is_unit(cached.pose.1);
+    cache.iter().all(|cached| in_range(cached.pair) && valid(cached))
+        && cache.is_sorted_by(|cached, next| cached.key() < next.key())
 }
 
 /// Returns true if a quaternion has length 1.

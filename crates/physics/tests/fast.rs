@@ -173,3 +173,50 @@ fn states_set_from_outside_are_finite_and_within_the_limits() {
     }
     assert!(world.poses().iter().all(|x| x.is_finite()));
 }
+
+/// Blocks in free flight, half a millimetre apart, that all move alike.
+fn swarm(velocity: DVec3) -> World {
+    let mut scene = column(8);
+    let spacing = scene.blocks[0].size[2] + 5e-4;
+    for (i, block) in scene.blocks.iter_mut().enumerate() {
+        block.pos[2] = 20.0 + spacing * i as f64;
+        block.velocity = velocity.to_array();
+    }
+    World::new(&scene, Params::default()).unwrap()
+}
+
+#[test]
+fn blocks_that_fly_together_are_tested_no_more_often_than_blocks_at_rest() {
+    for velocity in [DVec3::ZERO, DVec3::new(3.0, 0.0, 0.0), DVec3::new(-2.0, 5.0, 8.0)] {
+        let mut world = swarm(velocity);
+        let mut tests = 0;
+        for _ in 0..12 {
+            let report = world.step(&Input::default());
+            tests += report.detections;
+            assert!(report.syncs <= 20, "{velocity}: {report:?}");
+        }
+        // Seven pairs, whose reach is settled in the first frame.
+        assert!(tests <= 7 * 12, "{velocity}: {tests} tests");
+    }
+}
+
+#[test]
+fn a_block_that_flies_with_another_is_stopped_by_a_third_and_met_by_the_second() {
+    // Two blocks fly side by side, flush; the first meets a fixed block head-on.
+    let mut scene = blocks(&[[0.0, 0.0, 0.5], [0.0, 0.0268 + 2e-4, 0.5], [0.3, -0.02, 0.5]]);
+    scene.gravity = 0.0;
+    for block in &mut scene.blocks[..2] {
+        block.velocity = [2.0, 0.0, 0.0];
+    }
+    scene.blocks[2].fixed = true;
+    let mut world = World::new(&scene, Params::default()).unwrap();
+    let energy = world.energy().total();
+    let mut deepest: f64 = 0.0;
+    for _ in 0..30 {
+        let report = world.step(&Input::default());
+        deepest = deepest.max(report.penetration);
+        assert!(world.energy().total() < energy * (1.0 + 1e-6));
+    }
+    // v sqrt(m / k) of the impact, twice for the corner that carries it alone.
+    assert!(deepest < 2.0 * 2.0 * (MASS / scene.stiffness).sqrt(), "{deepest}");
+}

@@ -41,7 +41,10 @@ const toMuseum: v.GenericSchema<ToMuseum> = v.variant('type', [
   v.object({ type: v.literal('ask'), id: index, question: asked }),
 ]);
 
-/** Reads a message to the worker of the tower. Throws an Error that names the field where it is none. */
+/**
+ * Reads a message to the worker of the tower. Throws an Error that names the field where it is
+ * none.
+ */
 export function readToMuseum(data: unknown): ToMuseum {
   return readBy(toMuseum, data);
 }
@@ -67,7 +70,10 @@ const toPlane: v.GenericSchema<ToPlane> = v.variant('type', [
   v.object({ type: v.literal('add'), ...position, vx: near, vy: near }),
 ]);
 
-/** Reads a message to the worker of an exhibit. Throws an Error that names the field where it is none. */
+/**
+ * Reads a message to the worker of an exhibit. Throws an Error that names the field where it is
+ * none.
+ */
 export function readToPlane(data: unknown): ToPlane {
   return readBy(toPlane, data);
 }

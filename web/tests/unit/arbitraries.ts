@@ -1,4 +1,4 @@
-// Arbitrary messages to the workers of the page, and ways to damage them.
+// Arbitrary messages to the workers of the page, whole and damaged.
 
 import fc from 'fast-check';
 
@@ -89,7 +89,7 @@ export const anything = fc
   })
   .filter(isCloneable);
 
-/** What a page watches. */
+/** Parts that a page watches. */
 export const watched = fc.record({
   springs: fc.boolean(),
   xray: fc.boolean(),

@@ -10,10 +10,10 @@ use crate::cluster::Cluster;
 use crate::cluster::{energy, rest, sync, travel_budget};
 use crate::collision::contacts::{Contacts, needs_detection};
 use crate::collision::passivity::fade;
-use crate::constants::{MIN_SWEEP, SYNC_SHARE, SYNC_TIME};
+use crate::constants::{MIN_SWEEP, SYNC_SHARE, SYNC_TIME, UNLIMITED};
 use crate::derived::Derived;
 use crate::kernel::any_kernel::with_kernel;
-use crate::kernel::body_model::BodyDelta;
+use crate::kernel::body_model::{BodyDelta, UniformMotion};
 use crate::kernel::contact_law::ContactLaw;
 use crate::kernel::packing::PackInput;
 use crate::kernel::sync_set::SyncSet;
@@ -112,14 +112,28 @@ impl Cluster {
         Batch { start: done, substeps: end - done }
     }
 
-    /// Sets the travel budgets of the synced bodies for `time` (s) at the predicted speeds (m/s).
+    /// Sets the budgets of travel and deviation of the synced bodies for `time` (s) at the
+    /// predicted speeds (m/s).
     fn set_travel_budgets(&mut self, synced: &SyncSet, speeds: &[f64], time: f64) {
-        let budget = &mut self.packing.travel_budget;
+        let Self { shapes, bodies, contacts, packing, .. } = self;
+        let (travel, deviation) = (&mut packing.travel_budget, &mut packing.deviation_budget);
         for i in synced.iter() {
-            budget[i] = travel_budget::travel_budget(&self.shapes, &self.bodies, i, speeds[i], time);
+            travel[i] = travel_budget::travel_budget(shapes, bodies, i, speeds[i], time);
+            deviation[i] = UNLIMITED;
         }
         for i in synced.adjacent.iter().map(|&i| i as usize) {
-            budget[i] = budget[i].min(travel_budget::remaining_margin(&self.shapes, &self.bodies, i));
+            travel[i] = travel[i].min(travel_budget::remaining_margin(shapes, bodies, i));
+        }
+        for cached in contacts.cache.iter().filter(|cached| synced.touches(cached.pair[0], cached.pair[1])) {
+            let budgets = travel_budget::PairBudgets::new(shapes, bodies, cached);
+            for i in cached.pair.into_iter().filter(|&i| i != FLOOR).map(|i| i as usize) {
+                let speed = bodies.max_point_speed(shapes, i);
+                travel[i] = travel[i].min(budgets.travel(speed));
+                // The travel of a quiet body is its deviation.
+                if !travel_budget::is_quiet(speed) {
+                    deviation[i] = deviation[i].min(budgets.deviation);
+                }
+            }
         }
     }
 
@@ -139,13 +153,19 @@ impl Cluster {
         let progress = (batch.start as f64 + 0.5 * batch.substeps as f64) / frame.derived.substeps as f64;
         let gravity = frame.gravity_at(batch.start);
         let Self { shapes, bodies, particles, contacts, packing, kernel, .. } = self;
-        let input = PackInput { shapes, bodies, particles, derived: &frame.derived };
+        let time = batch.substeps as f64 * frame.derived.h;
+        let input = PackInput { shapes, bodies, particles, derived: &frame.derived, time };
         with_kernel!(*kernel, |kernel| {
             packing.pack(kernel, contacts, &input, synced);
             for i in synced.iter().chain(synced.adjacent.iter().map(|&i| i as usize)) {
                 let (force, torque) = cluster_input.force(shapes, bodies, i, progress);
                 packing.load[i] = (shapes.mass[i] * gravity + force, torque);
                 if synced.members[i] {
+                    packing.uniform[i] = UniformMotion {
+                        velocity: bodies.velocity[i],
+                        spin: bodies.spin[i],
+                        deviation: (DVec3::ZERO, DVec3::ZERO),
+                    };
                     packing.rotation_budget[i] =
                         travel_budget::rotation_budget(shapes, bodies, i, packing.has_contacts(i));
                 }
@@ -174,8 +194,11 @@ impl Cluster {
         };
         let mut actuators = cluster_input.actuators(&time, &self.shapes, &self.bodies);
         let law = &frame.derived;
-        let done =
-            with_kernel!(self.kernel, |kernel| kernel.run(&ContactLaw::new(law), batch.substeps, &mut actuators));
+        let done = with_kernel!(self.kernel, |kernel| {
+            let done = kernel.run(&ContactLaw::new(law), batch.substeps, &mut actuators);
+            kernel.add_substeps(done);
+            done
+        });
         report.substeps += done as u32;
         report.work += with_kernel!(self.kernel, |kernel| actuators.work(law.h, |i| kernel.twist(i)));
         report.hand = actuators.hand.map(|hand| hand.report);
@@ -195,10 +218,13 @@ impl Cluster {
         for (i, member) in members.iter_mut().enumerate().filter(|&(i, _)| self.bodies.is_active(i)) {
             let (displacement, rotation) = with_kernel!(self.kernel, |kernel| kernel.displacement(i));
             let (v, w) = with_kernel!(self.kernel, |kernel| kernel.twist(i));
-            let travel = displacement.length() + rotation.length() * self.shapes.radius[i];
-            let used = travel > SYNC_SHARE * self.packing.travel_budget[i]
-                || rotation.length() > SYNC_SHARE * self.packing.rotation_budget[i];
-            let speed = v.length() + w.length() * self.shapes.radius[i];
+            let at_points =
+                |(center, turning): (DVec3, DVec3)| center.length() + turning.length() * self.shapes.radius[i];
+            let deviation = at_points(with_kernel!(self.kernel, |kernel| kernel.deviation(i)));
+            let used = at_points((displacement, rotation)) > SYNC_SHARE * self.packing.travel_budget[i]
+                || rotation.length() > SYNC_SHARE * self.packing.rotation_budget[i]
+                || deviation > SYNC_SHARE * self.packing.deviation_budget[i];
+            let speed = at_points((v, w));
             *member = used || (regular && !travel_budget::is_quiet(speed));
         }
         // Forces of the input change from batch to batch.
@@ -221,10 +247,11 @@ impl Cluster {
     /// Syncs the poses of the bodies in the set, and of those in contact with them.
     pub fn sync_poses(&mut self, frame: &Frame, done: usize, synced: &mut SyncSet, report: &mut ClusterReport) {
         if !synced.all {
-            for manifold in &self.contacts.manifolds {
-                if synced.touches(manifold.a, manifold.b) {
-                    synced.add_adjacent(manifold.a);
-                    synced.add_adjacent(manifold.b);
+            let touching = self.contacts.manifolds.iter().map(|manifold| [manifold.a, manifold.b]);
+            for [a, b] in touching.chain(self.contacts.cache.iter().map(|cached| cached.pair)) {
+                if synced.touches(a, b) {
+                    synced.add_adjacent(a);
+                    synced.add_adjacent(b);
                 }
             }
         }
@@ -243,6 +270,7 @@ impl Cluster {
         }
         let time = (done - self.packing.synced_at[i]) as f64 * frame.derived.h;
         let mut delta = with_kernel!(self.kernel, |kernel| kernel.delta(i));
+        self.packing.uniform[i].deviation = with_kernel!(self.kernel, |kernel| kernel.deviation(i));
         let ballistic = self.packing.ballistic[i];
         if ballistic {
             let acceleration = self.packing.load[i].0 / self.shapes.mass[i];
@@ -278,16 +306,20 @@ impl Cluster {
         (force - self.shapes.mass[i] * frame.gravity).dot(displacement) + torque.dot(rotation)
     }
 
-    /// Detects the contacts of synced bodies that have left their margins.
+    /// Renews the bounds of synced bodies that have left their margins, and tests the pairs of
+    /// which the last test no longer holds.
     pub fn detect(&mut self, frame: &Frame, done: usize, synced: &mut SyncSet, report: &mut ClusterReport) {
         let due: Vec<u32> =
             synced.iter().filter(|&i| needs_detection(&self.shapes, &self.bodies, i)).map(|i| i as u32).collect();
-        if due.is_empty() {
+        let is_synced = |low, high| synced.touches(low, high);
+        let mut moved = self.contacts.due_pairs(&self.shapes, &self.bodies, &due, is_synced);
+        if due.is_empty() && moved.is_empty() {
             return;
         }
         let left = (frame.derived.substeps - done) as f64 * frame.derived.h;
         let growth = MIN_SWEEP + 2.0 * self.max_speed() * left;
-        let pairs = self.contacts.candidate_pairs(&self.shapes, &mut self.bodies, &due, growth);
+        let mut pairs = self.contacts.candidate_pairs(&self.shapes, &mut self.bodies, &due, growth);
+        pairs.append(&mut moved);
         let before = synced.adjacent.len();
         if !synced.all {
             for &(low, high) in &pairs {
@@ -298,8 +330,7 @@ impl Cluster {
         for i in synced.adjacent[before..].iter().copied() {
             self.sync_body(frame, done, i as usize, report);
         }
-        self.contacts.detect(&self.shapes, &mut self.bodies, &due, &pairs);
-        report.detections += pairs.len() as u32;
+        report.detections += self.contacts.detect(&self.shapes, &self.bodies, &due, &pairs) as u32;
     }
 
     /// Recomputes the gaps of the contacts of synced bodies.

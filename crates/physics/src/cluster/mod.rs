@@ -12,6 +12,7 @@ pub mod travel_budget;
 use teeter_scene::Form;
 
 use crate::body::{Bodies, FLOOR, Shapes};
+use crate::collision::cached_pair::CachedPair;
 use crate::collision::contacts::Contacts;
 use crate::collision::manifold::{Manifold, key};
 use crate::kernel::any_kernel::AnyKernel;
@@ -76,15 +77,21 @@ impl Cluster {
         self.contacts.swept.push(from.contacts.swept[i]);
     }
 
-    /// Copies manifolds of another cluster. `index` maps its body indices to those of this cluster;
-    /// manifolds of bodies that it maps to none are left out.
-    pub fn adopt(&mut self, from: &[Manifold], index: impl Fn(u32) -> Option<u32>) {
+    /// Copies manifolds and cached pairs of another cluster. `index` maps its body indices to those
+    /// of this cluster; what belongs to bodies that it maps to none is left out.
+    pub fn adopt(&mut self, from: &Contacts, index: impl Fn(u32) -> Option<u32>) {
         let index = |i: u32| if i == FLOOR { Some(FLOOR) } else { index(i) };
-        for manifold in from {
+        for manifold in &from.manifolds {
             if let (Some(a), Some(b)) = (index(manifold.a), index(manifold.b)) {
                 self.contacts.manifolds.push(Manifold { a, b, ..manifold.clone() });
             }
         }
         self.contacts.manifolds.sort_by_key(|m| key(m.a, m.b));
+        for cached in &from.cache {
+            if let [Some(low), Some(high)] = cached.pair.map(&index) {
+                self.contacts.cache.push(CachedPair { pair: [low, high], ..*cached });
+            }
+        }
+        self.contacts.cache.sort_by_key(CachedPair::key);
     }
 }

@@ -159,7 +159,7 @@ impl Clusters {
             for source in sources {
                 let source = &self.list[source as usize];
                 let index = |i: u32| part.binary_search(&source.ids[i as usize]).ok().map(|i| i as u32);
-                cluster.adopt(&source.contacts.manifolds, index);
+                cluster.adopt(&source.contacts, index);
             }
             next.push(cluster);
         }

@@ -1,13 +1,16 @@
 //! Budgets of travel and rotation that limit how far a body moves before its next sync.
 
 use crate::body::{Bodies, FLOOR, Shapes};
+use crate::collision::cached_pair::{CachedPair, relative_speed};
 use crate::collision::manifold::Manifold;
 use crate::constants::{
-    FREE_SYNC_ROTATION, GAP_ERROR, MIN_SYNC_ROTATION, MIN_TRAVEL_BUDGET, SPIN_SYNC_TIME, SYNC_ROTATION,
+    DEVIATION_SHARE, FREE_SYNC_ROTATION, GAP_ERROR, MIN_SYNC_ROTATION, MIN_TRAVEL_BUDGET, SPIN_SYNC_TIME, SYNC_ROTATION,
 };
 
 /// Speed below which a body counts as quiet, m/s.
 const QUIET_SPEED: f64 = 1e-4;
+/// Speed from which two bodies count as moving against each other, m/s.
+const MIN_PAIR_SPEED: f64 = 1e-9;
 /// Travel budget over the travel that the speed predicts.
 const SPEED_ALLOWANCE: f64 = 1.25;
 /// Travel budget over the travel that the acceleration predicts.
@@ -43,6 +46,29 @@ pub fn travel_budget(shapes: &Shapes, bodies: &Bodies, i: usize, speed: f64, tim
         + ACCELERATION_ALLOWANCE * 0.5 * bodies.acceleration[i] * time * time
         + MIN_TRAVEL_BUDGET;
     expected.min(remaining_margin(shapes, bodies, i))
+}
+
+/// Budgets of the bodies of a pair, which keep its last test valid.
+#[derive(Debug, Clone, Copy)]
+pub struct PairBudgets {
+    /// Time in which the pair, in uniform motion, uses up the travel that is left to it, s.
+    time: f64,
+    /// Deviation of each body from uniform motion, m.
+    pub deviation: f64,
+}
+
+impl PairBudgets {
+    /// Budgets of a pair.
+    pub fn new(shapes: &Shapes, bodies: &Bodies, cached: &CachedPair) -> Self {
+        let left = cached.remaining(shapes, bodies).max(MIN_TRAVEL_BUDGET);
+        let speed = relative_speed(shapes, bodies, cached.pair).max(MIN_PAIR_SPEED);
+        Self { time: left / speed, deviation: (DEVIATION_SHARE * left).max(MIN_TRAVEL_BUDGET) }
+    }
+
+    /// Travel of a body of the pair with this speed (m/s), m.
+    pub fn travel(&self, speed: f64) -> f64 {
+        speed * self.time + self.deviation
+    }
 }
 
 /// Travel until a body leaves its detection margin, m.

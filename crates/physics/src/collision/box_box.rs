@@ -14,15 +14,18 @@ use crate::collision::face_contact::FacePair;
 use crate::collision::lookahead::Approach;
 use crate::collision::manifold::{Manifold, SeparatingAxis};
 use crate::collision::nearest::{Feature, Nearest, nearest};
-use crate::collision::pair_status::PairStatus;
+use crate::collision::pair_status::{PairStatus, Range};
 use crate::collision::separating_axis::{LastAxis, Separation, separation};
 use crate::constants::{FLAT_SINE, MIN_NEAR_TRAVEL, ROUND_TRAVEL};
 
 /// Tests two boxes, `low` having the lower index; they are apart where some axis separates them by
-/// more than `limit` (m). Where they touch, `to` becomes their manifold, which is too large to
-/// return by value.
-pub fn box_box(low: &Cuboid, high: &Cuboid, limit: f64, last: Option<LastAxis>, to: &mut Manifold) -> PairStatus {
-    let Some(found) = separation(low, high, limit, last) else { return PairStatus::Apart };
+/// more than the limit of the range. Where they touch, `to` becomes their manifold, which is too
+/// large to return by value.
+pub fn box_box(low: &Cuboid, high: &Cuboid, range: Range, last: Option<LastAxis>, to: &mut Manifold) -> PairStatus {
+    let Some(found) = separation(low, high, range.limit, last) else { return PairStatus::Apart };
+    if found.distance > range.reach {
+        return PairStatus::Near(found.distance);
+    }
     let faces = face_pair(low, high, &found);
     if let Some(pair) = faces.filter(FacePair::is_flat)
         && pair.contact(to)
@@ -33,7 +36,7 @@ pub fn box_box(low: &Cuboid, high: &Cuboid, limit: f64, last: Option<LastAxis>, 
     if low.radius + high.radius > 0.0
         && let Some(nearest) = nearest(&low.core(), &high.core())
     {
-        return rounded_contact(low, high, &nearest, limit, to);
+        return rounded_contact(low, high, &nearest, range.reach, to);
     }
     to.axis = found.axis;
     let touching = match (faces, found.axis) {
@@ -63,10 +66,10 @@ fn face_pair<'a>(low: &'a Cuboid, high: &'a Cuboid, found: &Separation) -> Optio
 /// Contact of two boxes whose cores are apart: of a face where that is nearest or the normal is
 /// nearly its own, so that an edge that rests across a face gets both its ends; of rounded edges or
 /// corners elsewhere.
-fn rounded_contact(low: &Cuboid, high: &Cuboid, nearest: &Nearest, limit: f64, to: &mut Manifold) -> PairStatus {
+fn rounded_contact(low: &Cuboid, high: &Cuboid, nearest: &Nearest, reach: f64, to: &mut Manifold) -> PairStatus {
     let gap = nearest.distance - low.radius - high.radius;
-    if gap > limit {
-        return PairStatus::Apart;
+    if gap > reach {
+        return PairStatus::Near(gap);
     }
     let axis_of = |c: &Cuboid, feature| match feature {
         Feature::Face(i) => Some(i),

@@ -6,7 +6,7 @@ use crate::body::FLOOR;
 use crate::collision::cuboid::Cuboid;
 use crate::collision::face_contact::rounding;
 use crate::collision::manifold::{ContactPoint, Manifold, SeparatingAxis};
-use crate::collision::pair_status::PairStatus;
+use crate::collision::pair_status::{PairStatus, Range};
 use crate::collision::polygon::{Corner, Patch};
 
 /// Index of the axis of a box whose face is lowest, given the world's upward direction in the box's
@@ -25,12 +25,16 @@ fn lowest_face(up: DVec3, last: Option<SeparatingAxis>) -> usize {
     k
 }
 
-/// Tests a box against the floor z = 0; they are apart where the box is higher than `limit` (m).
-/// The points are the corners of its lowest face.
-pub fn box_floor(b: &Cuboid, limit: f64, last: Option<SeparatingAxis>, to: &mut Manifold) -> PairStatus {
+/// Tests a box against the floor z = 0; they are apart where the box is higher than the limit of
+/// the range. The points are the corners of its lowest face.
+pub fn box_floor(b: &Cuboid, range: Range, last: Option<SeparatingAxis>, to: &mut Manifold) -> PairStatus {
     let up = b.axes.transpose() * DVec3::Z;
-    if b.center.z - up.abs().dot(b.half) > limit {
+    let height = b.center.z - up.abs().dot(b.half);
+    if height > range.limit {
         return PairStatus::Apart;
+    }
+    if height > range.reach {
+        return PairStatus::Near(height);
     }
     let k = lowest_face(up, last);
     let outward = if up[k] > 0.0 { -1.0 } else { 1.0 };

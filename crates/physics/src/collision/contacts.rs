@@ -7,22 +7,25 @@ use crate::body::{Bodies, FLOOR, Shapes, rotate_tensor};
 use crate::collision::box_box::box_box;
 use crate::collision::box_floor::box_floor;
 use crate::collision::broad_phase::{Aabb, Neighbours, overlapping_pairs};
+use crate::collision::cached_pair::{CachedPair, reach};
 use crate::collision::cuboid::Cuboid;
 use crate::collision::manifold::{MAX_POINTS, Manifold, key};
-use crate::collision::pair_status::PairStatus;
+use crate::collision::pair_status::{PairStatus, Range};
 use crate::collision::passivity::{SpringEnergy, thickness};
 use crate::collision::separating_axis::LastAxis;
 use crate::constants::{
     BUDGET_CHECK_INTERVAL, MARGIN_RANGE, MARGIN_SHARE, MARGIN_TIME, MIN_SUNK_DEPTH, STRAIN_INERTIA,
 };
 
-/// Largest number of new manifolds that are inserted one by one; more are appended and sorted.
+/// Largest number of new entries that are inserted one by one; more are appended and sorted.
 const MAX_INSERTIONS: usize = 8;
 
 /// Manifolds of a cluster, sorted by [`Manifold::key`], and the bounds of its bodies.
 #[derive(Debug, Clone, Default, Serialize, Deserialize)]
 pub struct Contacts {
     pub manifolds: Vec<Manifold>,
+    /// Pairs that are near, sorted by [`CachedPair::key`]: those with a manifold, and others.
+    pub cache: Vec<CachedPair>,
     /// Bounds of the bodies at their last detection, grown by their margins: a body stays within
     /// them until its next detection.
     pub bounds: Vec<Aabb>,
@@ -35,6 +38,41 @@ pub struct Contacts {
     /// Pairs of bodies of which the swept bounds overlap.
     #[serde(skip)]
     neighbours: Neighbours,
+}
+
+/// Which entries of a list are kept.
+struct Kept {
+    /// None where nothing is known.
+    flags: Vec<Option<bool>>,
+    at: usize,
+}
+
+impl Kept {
+    fn new(len: usize) -> Self {
+        Self { flags: vec![None; len], at: 0 }
+    }
+
+    fn set(&mut self, i: usize, kept: bool) {
+        self.flags[i] = Some(kept);
+    }
+
+    /// Returns true if the next entry is kept; `default` decides where nothing is known.
+    fn next(&mut self, default: impl Fn() -> bool) -> bool {
+        self.at += 1;
+        self.flags[self.at - 1].unwrap_or_else(default)
+    }
+}
+
+/// Inserts entries into a list that is sorted by a key.
+fn insert_sorted<T>(list: &mut Vec<T>, mut new: Vec<T>, key: impl Fn(&T) -> (u32, u32)) {
+    if new.len() > MAX_INSERTIONS {
+        list.append(&mut new);
+        list.sort_by_key(&key);
+    }
+    for entry in new {
+        let index = list.partition_point(|other| key(other) < key(&entry));
+        list.insert(index, entry);
+    }
 }
 
 impl Contacts {
@@ -59,8 +97,8 @@ impl Contacts {
         self.manifolds.binary_search_by_key(&key(low, high), Manifold::key).ok()
     }
 
-    /// Renews margins and bounds of the bodies in `due` (sorted) and returns the pairs to test,
-    /// lower index or floor first.
+    /// Renews margins and bounds of the bodies in `due` (sorted) and returns the pairs of which the
+    /// bounds overlap, lower index or floor first.
     ///
     /// A body hit harder than any body moved before leaves its swept bounds. These are then grown
     /// by `growth` (m), and `outgrown` is set.
@@ -101,47 +139,71 @@ impl Contacts {
         pairs
     }
 
-    /// Tests the pairs, which must be all candidate pairs of the bodies in `due` (sorted), and
-    /// updates the manifolds. The history of a persisting contact is preserved.
-    pub fn detect(&mut self, shapes: &Shapes, bodies: &mut Bodies, due: &[u32], pairs: &[(u32, u32)]) {
-        let mut found: Vec<Manifold> = Vec::new();
-        let mut touching = vec![false; self.manifolds.len()];
+    /// Cached pairs that are to be tested again, of those that `is_synced` takes; pairs of a body
+    /// in `due` (sorted) are left out.
+    pub fn due_pairs(
+        &self,
+        shapes: &Shapes,
+        bodies: &Bodies,
+        due: &[u32],
+        is_synced: impl Fn(u32, u32) -> bool,
+    ) -> Vec<(u32, u32)> {
+        let pairs = self.cache.iter().filter(|cached| {
+            let [low, high] = cached.pair;
+            is_synced(low, high)
+                && due.binary_search(&low).is_err()
+                && due.binary_search(&high).is_err()
+                && cached.is_due(shapes, bodies)
+        });
+        pairs.map(|cached| cached.pair.into()).collect()
+    }
+
+    /// Tests the pairs, which must contain all candidate pairs of the bodies in `due` (sorted),
+    /// unless their last test still holds, and updates the manifolds. The history of a persisting
+    /// contact is preserved. Returns the number of pairs that were tested.
+    pub fn detect(&mut self, shapes: &Shapes, bodies: &Bodies, due: &[u32], pairs: &[(u32, u32)]) -> usize {
+        let (mut new_manifolds, mut new_pairs) = (Vec::new(), Vec::new());
+        let (mut manifolds_kept, mut pairs_kept) = (Kept::new(self.manifolds.len()), Kept::new(self.cache.len()));
         let mut next = Manifold::new();
+        let mut tested = 0;
         for &(low, high) in pairs {
             let index = self.find((low, high));
-            let last = index.map(|i| &self.manifolds[i]);
-            let status = test_pair(shapes, bodies, [low, high], last, &mut next);
-            match (status, index) {
-                (PairStatus::Apart | PairStatus::Near(_), _) => {}
-                (PairStatus::Touching(_), Some(i)) => {
-                    touching[i] = true;
-                    limit_energy(&mut next, Some(&mut self.manifolds[i]), shapes, bodies);
-                    self.manifolds[i].copy_from(&next);
-                }
-                (PairStatus::Touching(_), None) => {
-                    limit_energy(&mut next, None, shapes, bodies);
-                    found.push(next.clone());
-                }
-            }
-            if let PairStatus::Near(travel) | PairStatus::Touching(travel) = status
-                && travel.is_finite()
+            let cached = self.cache.binary_search_by_key(&key(low, high), CachedPair::key).ok();
+            if let Some(c) = cached
+                && !self.cache[c].is_due(shapes, bodies)
             {
-                shrink_margins(shapes, bodies, [low, high], travel);
+                pairs_kept.set(c, true);
+                index.into_iter().for_each(|i| manifolds_kept.set(i, true));
+                continue;
+            }
+            tested += 1;
+            let reach = reach(shapes, bodies, [low, high]);
+            let status = test_pair(shapes, bodies, [low, high], (reach, index.map(|i| &self.manifolds[i])), &mut next);
+            let touches = matches!(status, PairStatus::Touching(_));
+            if touches {
+                limit_energy(&mut next, index.map(|i| &mut self.manifolds[i]), shapes, bodies);
+            }
+            match index {
+                Some(i) if touches => self.manifolds[i].copy_from(&next),
+                None if touches => new_manifolds.push(next.clone()),
+                _ => {}
+            }
+            index.into_iter().for_each(|i| manifolds_kept.set(i, touches));
+            let near = CachedPair::new(bodies, [low, high], reach, status);
+            cached.into_iter().for_each(|c| pairs_kept.set(c, near.is_some()));
+            match (cached, near) {
+                (Some(c), Some(near)) => self.cache[c] = near,
+                (None, Some(near)) => new_pairs.push(near),
+                (_, None) => {}
             }
         }
-        // Manifolds of due bodies that were not found again are removed.
+        // What due bodies had and was not found again is removed.
         let is_due = |i: u32| i != FLOOR && due.binary_search(&i).is_ok();
-        let mut touching = touching.into_iter();
-        self.manifolds.retain(|m| touching.next().unwrap_or(true) || !(is_due(m.a) || is_due(m.b)));
-        if found.len() > MAX_INSERTIONS {
-            self.manifolds.append(&mut found);
-            self.manifolds.sort_by_key(Manifold::key);
-        }
-        for manifold in found {
-            let key = manifold.key();
-            let index = self.manifolds.partition_point(|m| m.key() < key);
-            self.manifolds.insert(index, manifold);
-        }
+        self.manifolds.retain(|m| manifolds_kept.next(|| !is_due(m.a) && !is_due(m.b)));
+        self.cache.retain(|cached| pairs_kept.next(|| !cached.pair.into_iter().any(is_due)));
+        insert_sorted(&mut self.manifolds, new_manifolds, Manifold::key);
+        insert_sorted(&mut self.cache, new_pairs, CachedPair::key);
+        tested
     }
 
     /// Detects all contacts of all bodies.
@@ -230,24 +292,25 @@ pub fn cuboid(shapes: &Shapes, bodies: &Bodies, i: u32) -> Cuboid {
     cuboid
 }
 
-/// Tests a pair. Where it touches, `to` becomes its manifold, with the history of `last`.
+/// Tests a pair with a reach (m). Where it touches, `to` becomes its manifold, with the history of
+/// `last`.
 fn test_pair(
     shapes: &Shapes,
     bodies: &Bodies,
     [low, high]: [u32; 2],
-    last: Option<&Manifold>,
+    (reach, last): (f64, Option<&Manifold>),
     to: &mut Manifold,
 ) -> PairStatus {
     let (low_box, high_box) = (cuboid(shapes, bodies, low), cuboid(shapes, bodies, high));
     let status = if low == FLOOR {
-        box_floor(&high_box, bodies.margin[high as usize], last.map(|m| m.axis), to)
+        box_floor(&high_box, Range { limit: bodies.margin[high as usize], reach }, last.map(|m| m.axis), to)
     } else {
         let limit = bodies.margin[low as usize] + bodies.margin[high as usize];
         let last = last.map(|m| {
             let (axes, sign) = if m.a == low { (low_box.axes, 1.0) } else { (high_box.axes, -1.0) };
             LastAxis { axis: m.axis, normal: axes * m.frame[0] * sign }
         });
-        box_box(&low_box, &high_box, limit, last, to)
+        box_box(&low_box, &high_box, Range { limit, reach }, last, to)
     };
     if !matches!(status, PairStatus::Touching(_)) {
         return status;
@@ -270,16 +333,6 @@ fn unstrain_anchors(manifold: &mut Manifold, shapes: &Shapes, bodies: &Bodies) {
     }
     if let Some(scale) = scale(manifold.b) {
         manifold.points.iter_mut().for_each(|p| p.anchor_b *= scale);
-    }
-}
-
-/// Shrinks the margins of two bodies, so that they are tested again before either has travelled by
-/// `travel` (m). Otherwise a block that passes an edge would be found only when it overlaps by a
-/// whole margin, and would have the normal of an edge that it has long passed.
-fn shrink_margins(shapes: &Shapes, bodies: &mut Bodies, pair: [u32; 2], travel: f64) {
-    for i in pair.map(|i| i as usize) {
-        let travelled = bodies.travel_since(shapes, i, bodies.detection_pose[i]);
-        bodies.margin[i] = bodies.margin[i].min(travelled + travel);
     }
 }
 

@@ -3,6 +3,7 @@
 pub mod box_box;
 pub mod box_floor;
 pub mod broad_phase;
+pub mod cached_pair;
 pub mod contacts;
 pub mod cuboid;
 pub mod edge_contact;

@@ -59,8 +59,16 @@ pub trait BodyModel<R: Real>: Clone + std::fmt::Debug + Send + Sync {
         load: &[Row<R>],
     );
 
-    /// Returns true if a body of one part has used up its budget of travel or rotation.
-    fn exceeds_budget<L: Lanes<Scalar = R>>(&self, part: usize) -> bool;
+    /// Returns true if a body of one part has used up its budget of travel, rotation or deviation
+    /// after `substeps` substeps of a batch.
+    fn exceeds_budget<L: Lanes<Scalar = R>>(&self, part: usize, substeps: usize) -> bool;
+
+    /// Adds the substeps of a batch to those since the last sync of each body.
+    fn add_substeps(&mut self, substeps: usize);
+
+    /// Displacement (m) and rotation (rad) of the body in lane `l` beyond those of its uniform
+    /// motion.
+    fn deviation(&self, l: usize) -> (DVec3, DVec3);
 
     /// Displacement (m) and rotation (rad) of the body in lane `l` since its last sync.
     fn displacement(&self, l: usize) -> (DVec3, DVec3);
@@ -104,6 +112,17 @@ pub trait RelativeMotion<L: Lanes> {
     fn add_force<const FIRST: bool>(wrench: &mut Self::Wrench, force: &[L; 4], arm: &[L; 2], friction_arm: &[L; 3]);
 }
 
+/// Motion that was predicted for a body when its pairs were last considered.
+#[derive(Debug, Clone, Copy, Default)]
+pub struct UniformMotion {
+    /// Velocity of the centre, m/s.
+    pub velocity: DVec3,
+    /// Angular velocity, rad/s.
+    pub spin: DVec3,
+    /// Displacement (m) and rotation (rad) by which the body has deviated from it since.
+    pub deviation: (DVec3, DVec3),
+}
+
 /// Body to be loaded into the inner loop.
 #[derive(Debug, Clone, Copy)]
 pub struct KernelBody<'a> {
@@ -129,6 +148,10 @@ pub struct KernelBody<'a> {
     pub travel_budget: f64,
     /// Rotation until the next sync, rad.
     pub rotation_budget: f64,
+    /// Deviation of the body's points from uniform motion until the next sync, m.
+    pub deviation_budget: f64,
+    /// Motion from which it deviates.
+    pub uniform: UniformMotion,
     /// Constant force until the next sync, N.
     pub force: DVec3,
     /// Constant torque until the next sync, N m.

@@ -137,13 +137,18 @@ impl<R: Real, B: BodyModel<R>> Kernel<R, B> {
             for (i, ((velocity, force), load)) in rows.take(self.len.div_ceil(L::WIDTH)).enumerate() {
                 let (bodies, part) = (&mut self.bodies[i / (LANES / L::WIDTH)], i % (LANES / L::WIDTH));
                 bodies.integrate::<L>(part, velocity, force, load);
-                exceeded |= check && bodies.exceeds_budget::<L>(part);
+                exceeded |= check && bodies.exceeds_budget::<L>(part, done + 1);
             }
             if exceeded {
                 return done + 1;
             }
         }
         substeps
+    }
+
+    /// Adds the substeps of a batch to those since the last sync of each body.
+    pub fn add_substeps(&mut self, substeps: usize) {
+        self.bodies.iter_mut().for_each(|bodies| bodies.add_substeps(substeps));
     }
 
     /// Asserts that all groups are within `rows`, of which `force` has as many as `velocity`.
@@ -182,6 +187,12 @@ impl<R: Real, B: BodyModel<R>> Kernel<R, B> {
     /// Displacement (m) and rotation (rad) of a body since its last sync.
     pub fn displacement(&self, i: usize) -> (DVec3, DVec3) {
         self.bodies[i / LANES].displacement(i % LANES)
+    }
+
+    /// Displacement (m) and rotation (rad) of a body since its last sync beyond those of uniform
+    /// motion.
+    pub fn deviation(&self, i: usize) -> (DVec3, DVec3) {
+        self.bodies[i / LANES].deviation(i % LANES)
     }
 
     /// Velocity of the centre (m/s) and spin (rad/s) of a body.

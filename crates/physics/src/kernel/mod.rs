@@ -18,4 +18,5 @@ pub mod rigid;
 pub mod spring;
 pub mod sync_set;
 pub mod tangential_refine;
+pub mod uniform_motion;
 pub mod vector;

@@ -9,12 +9,13 @@ use arrayvec::ArrayVec;
 use glam::DVec3;
 
 use crate::body::{Bodies, FLOOR, Shapes};
+use crate::collision::cached_pair::relative_speed;
 use crate::collision::contacts::Contacts;
 use crate::collision::manifold::Manifold;
 use crate::collision::stable_spring::stable_spring;
-use crate::constants::RUNAWAY_SPEED;
+use crate::constants::{RUNAWAY_SPEED, UNLIMITED};
 use crate::derived::Derived;
-use crate::kernel::body_model::{BodyModel, KernelBody};
+use crate::kernel::body_model::{BodyModel, KernelBody, UniformMotion};
 use crate::kernel::inner_loop::Kernel;
 use crate::kernel::layout::{Group, SLOTS};
 use crate::kernel::sync_set::SyncSet;
@@ -46,6 +47,8 @@ pub struct PackInput<'a> {
     /// Particles of each body; empty for rigid bodies.
     pub particles: &'a [Particles],
     pub derived: &'a Derived,
+    /// Time until the next sync of all moving bodies, s.
+    pub time: f64,
 }
 
 /// Entries in the lanes of a kernel, and budgets of the bodies.
@@ -62,6 +65,10 @@ pub struct Packing {
     pub travel_budget: Vec<f64>,
     /// Rotation of each body until its next sync, rad.
     pub rotation_budget: Vec<f64>,
+    /// Deviation of each body's points from uniform motion until its next sync, m.
+    pub deviation_budget: Vec<f64>,
+    /// Motion of each body that its budgets predict.
+    pub uniform: Vec<UniformMotion>,
     /// Weight and applied force (N) and torque (N m) on each body: all but contacts, hand and
     /// drives.
     pub load: Vec<(DVec3, DVec3)>,
@@ -95,6 +102,10 @@ impl Packing {
         self.travel_budget.resize(n, 0.0);
         self.rotation_budget.clear();
         self.rotation_budget.resize(n, 0.0);
+        self.deviation_budget.clear();
+        self.deviation_budget.resize(n, UNLIMITED);
+        self.uniform.clear();
+        self.uniform.resize(n, UniformMotion::default());
         self.load.clear();
         self.load.resize(n, (DVec3::ZERO, DVec3::ZERO));
         self.synced_at.clear();
@@ -158,7 +169,7 @@ impl Packing {
         synced: &SyncSet,
     ) {
         let mut index = 0;
-        for entry in self.select_entries(contacts, input.bodies, synced) {
+        for entry in self.select_entries(contacts, input, synced) {
             while self.lanes.get(index).is_some_and(Option::is_some) {
                 index += 1;
             }
@@ -188,16 +199,15 @@ impl Packing {
 
     /// Selects the points of synced bodies that can touch before the next sync, as entries in the
     /// order in which they are packed. Points left out are open and lose their history.
-    fn select_entries(&self, contacts: &mut Contacts, bodies: &Bodies, synced: &SyncSet) -> Vec<Entry> {
-        let fixed = |i: u32| i == FLOOR || !bodies.is_active(i as usize);
-        let budget = |i: u32| if i == FLOOR { 0.0 } else { self.travel_budget[i as usize] };
+    fn select_entries(&self, contacts: &mut Contacts, input: &PackInput, synced: &SyncSet) -> Vec<Entry> {
+        let fixed = |i: u32| i == FLOOR || !input.bodies.is_active(i as usize);
         let mut entries: Vec<Entry> = Vec::new();
         for (index, manifold) in contacts.manifolds.iter_mut().enumerate() {
             let (a, b) = (manifold.a, manifold.b);
             if !synced.touches(a, b) || (fixed(a) && fixed(b)) {
                 continue;
             }
-            let limit = budget(a) + budget(b);
+            let limit = self.closing_bound(input, [a, b]);
             let empty = Entry { a, b, manifold: index, points: ArrayVec::new() };
             let mut entry = empty.clone();
             for (p, point) in manifold.points.iter_mut().enumerate() {
@@ -218,6 +228,18 @@ impl Packing {
         entries
     }
 
+    /// Upper bound of what two bodies close before the next sync of either, m: their budgets of
+    /// travel, or their uniform motion with their budgets of deviation.
+    fn closing_bound(&self, input: &PackInput, [a, b]: [u32; 2]) -> f64 {
+        let of = |budget: &[f64], i: u32| if i == FLOOR { 0.0 } else { budget[i as usize] };
+        let travel = of(&self.travel_budget, a) + of(&self.travel_budget, b);
+        // A quiet body has no budget of deviation and may go on for a frame, with less than its
+        // budget of travel.
+        let deviation = |i: u32| of(&self.deviation_budget, i).min(of(&self.travel_budget, i));
+        let uniform = relative_speed(input.shapes, input.bodies, [a, b]) * input.time;
+        travel.min(uniform + deviation(a) + deviation(b))
+    }
+
     /// Packs the geometry of a manifold into lane `l`.
     fn pack_geometry<R: Real>(&self, group: &mut Group<R>, l: usize, manifold: &Manifold, bodies: &Bodies) {
         let (center_a, axes_a) = bodies.pose(manifold.a);
@@ -232,7 +254,7 @@ impl Packing {
     pub fn load_body<R: Real, B: BodyModel<R>>(
         &mut self,
         kernel: &mut Kernel<R, B>,
-        &PackInput { shapes, bodies, particles, derived }: &PackInput,
+        &PackInput { shapes, bodies, particles, derived, .. }: &PackInput,
         i: usize,
         actuated: bool,
     ) {
@@ -252,6 +274,8 @@ impl Packing {
             spin: bodies.spin[i],
             travel_budget: self.travel_budget[i],
             rotation_budget: self.rotation_budget[i],
+            deviation_budget: self.deviation_budget[i],
+            uniform: self.uniform[i],
             force,
             torque,
             lattice: lattice.map(|(particles, springs)| (particles, shapes.particles[i], springs)),

@@ -40,7 +40,8 @@ fn pairs() -> impl Strategy<Value = (Cuboid, Cuboid)> {
 
 fn manifold(a: &Cuboid, b: &Cuboid, limit: f64, last: Option<LastAxis>) -> Option<Manifold> {
     let mut found = Manifold::new();
-    (box_box(a, b, limit, last, &mut found) == PairStatus::Touching(f64::INFINITY)).then_some(found)
+    (box_box(a, b, Range { limit, reach: limit }, last, &mut found) == PairStatus::Touching(f64::INFINITY))
+        .then_some(found)
 }
 
 fn vertices(c: &Cuboid) -> [DVec3; 8] {
@@ -241,7 +242,8 @@ fn a_box_meets_the_floor_with_its_lowest_face() {
     let flat = cuboid(0, [0.081, 0.0268, 0.018], [0.0, 0.0, 0.3, 1.0], [0.3, 0.2, 0.009]);
     let on_floor = |c: &Cuboid, limit| {
         let mut found = Manifold::new();
-        (box_floor(c, limit, None, &mut found) == PairStatus::Touching(f64::INFINITY)).then_some(found)
+        (box_floor(c, Range { limit, reach: limit }, None, &mut found) == PairStatus::Touching(f64::INFINITY))
+            .then_some(found)
     };
     let m = on_floor(&flat, 1e-4).unwrap();
     assert_eq!((m.points.len(), m.a), (4, FLOOR));
