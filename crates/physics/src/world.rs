@@ -341,7 +341,7 @@ impl World {
         let (cluster, i) = self.locate_mut(body);
         let due = [i as u32];
         let pairs = cluster.contacts.candidate_pairs(&cluster.shapes, &mut cluster.bodies, &due, MIN_SWEEP);
-        cluster.contacts.detect(&cluster.shapes, &mut cluster.bodies, &due, &pairs);
+        cluster.contacts.detect(&cluster.shapes, &cluster.bodies, &due, &pairs);
         self.write_poses();
     }
 

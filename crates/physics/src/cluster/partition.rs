@@ -189,7 +189,7 @@ impl Clusters {
             due.sort_unstable();
             due.dedup();
             let pairs = contacts.candidate_pairs(&cluster.shapes, &mut cluster.bodies, &due, MIN_SWEEP);
-            contacts.detect(&cluster.shapes, &mut cluster.bodies, &due, &pairs);
+            contacts.detect(&cluster.shapes, &cluster.bodies, &due, &pairs);
         }
     }
 }
