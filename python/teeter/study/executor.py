@@ -183,8 +183,12 @@ def executor_of(executor: Any, workers: int | None = None, address: str | None =
 
 
 def _named(name: str, workers: int | None, address: str | None) -> Executor:
+    if address is not None and not isinstance(address, str):
+        raise StudyError(f"`address` is of type {type(address).__name__}, expected a text", "address")
     if address is not None and name not in ("dask", "ray"):
         raise StudyError(f"`address` is {address!r}, expected none for executor `{name}`", "address")
+    if workers is not None:
+        workers = checked_count("workers", workers, 1, MAX_WORKERS)
     if name == "serial":
         if workers not in (None, 1):
             raise StudyError(f"`workers` is {workers}, expected 1 for executor `serial`", "workers")

@@ -31,7 +31,7 @@ class Ray:
     def __init__(self, address: str | None = None, workers: int | None = None) -> None:
         self._ray: Any = needed("ray", "ray")
         self._is_owner = not self._ray.is_initialized()
-        if not self._is_owner and (address, workers) != (None, None):
+        if not self._is_owner and (address is not None or workers is not None):
             raise StudyError("`address` or `workers` is given, expected none of them where Ray runs already", "address")
         if self._is_owner:
             options = _options(address, workers)
