@@ -17,7 +17,7 @@ export const vec = v.strictTuple([real, real, real]);
 const quat = v.strictTuple([real, real, real, real]);
 const slot = v.nullable(v.object({ row: index, cell: index }));
 const form = v.picklist(['rigid', 'lattice']);
-const seed = v.pipe(v.number(), v.safeInteger(), v.minValue(0));
+export const seed = v.pipe(v.number(), v.safeInteger(), v.minValue(0));
 const table = v.picklist(['free', 'official', 'strict', 'friendly', 'dissertation', 'solo', 'throw-and-go']);
 
 const grasp = { body: index, anchor: vec, normal: vec, grip: v.picklist(['auto', 'slide', 'carry', 'push']) };

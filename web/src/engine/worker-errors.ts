@@ -24,6 +24,19 @@ export function guarded(failed: (message: string) => void): (action: () => void)
  * all is as it was. A panic is a RuntimeError of WebAssembly, and a fault of the worker a TypeError
  * or the like.
  */
-export function isRefusal(error: unknown): error is Error {
+function isRefusal(error: unknown): error is Error {
   return error instanceof Error && error.constructor === Error;
+}
+
+/**
+ * Runs an action. An error by which an input is refused is answered with its reason; any other is
+ * thrown.
+ */
+export function unlessRefused(action: () => void, answer: (message: string) => void): void {
+  try {
+    action();
+  } catch (error) {
+    if (!isRefusal(error)) throw error;
+    answer(errorText(error));
+  }
 }

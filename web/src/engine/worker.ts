@@ -13,7 +13,7 @@ import { isReplayed, type Played } from './played';
 import type { FromWorker, Question, SceneEntry, Setup, StateHash, ToWorker, Watched } from './protocol';
 import { replayed } from './replayed';
 import { sceneText, type BuiltSource } from './scene';
-import { errorText, guarded, isRefusal } from './worker-errors';
+import { errorText, guarded, unlessRefused } from './worker-errors';
 
 const seconds = () => performance.now() / 1000;
 const send = (message: FromWorker, transfer: Transferable[] = []) => self.postMessage(message, { transfer });
@@ -244,12 +244,10 @@ function valueOf(game: Played, question: Exclude<Question, { what: 'hashes' }>):
 
 /** Carries out a message. One that is refused changes nothing. */
 function receive(data: unknown): void {
-  try {
-    carryOut(readMessage(data));
-  } catch (error) {
-    if (!isRefusal(error)) throw error;
-    send({ type: 'invalid', id: questionId(data), message: errorText(error) });
-  }
+  unlessRefused(
+    () => carryOut(readMessage(data)),
+    message => send({ type: 'invalid', id: questionId(data), message }),
+  );
 }
 
 function carryOut(message: ToWorker): void {

@@ -2,7 +2,7 @@
 // simulator.
 
 import * as v from 'valibot';
-import { command, index, question, readBy, real, vec, watched } from '../engine/message-reader';
+import { command, index, question, readBy, real, seed, vec, watched } from '../engine/message-reader';
 import type { MuseumQuestion, MuseumSetup, PlaneSetup, Request2003, ToMuseum, ToPlane } from './protocol';
 
 /** Constants that a message may name, and the length of each name and value. */
@@ -14,7 +14,7 @@ const setup: v.GenericSchema<MuseumSetup> = v.object({
   show: v.picklist(['old', 'engine', 'both']),
   scene: v.nullable(v.string()),
   rows: real,
-  seed: v.pipe(v.number(), v.safeInteger(), v.minValue(0)),
+  seed,
   constants,
 });
 

@@ -4,7 +4,7 @@
 import { FRAME } from '../engine/game-protocol';
 import { Loop } from '../engine/loop';
 import { Speedometer } from '../engine/pacing';
-import { errorText, guarded, isRefusal } from '../engine/worker-errors';
+import { errorText, guarded, unlessRefused } from '../engine/worker-errors';
 import load, { Plane } from '../wasm/teeter_museum.js';
 import { readToPlane } from './message-reader';
 import type { FromPlane, PlaneCounts, PlaneSetup, ToPlane } from './protocol';
@@ -82,12 +82,10 @@ function receive(data: unknown): void {
     send({ type: 'invalid', message: errorText(error) });
     return;
   }
-  try {
-    carryOut(message);
-  } catch (error) {
-    if (!isRefusal(error)) throw error;
-    send({ type: 'refused', message: errorText(error) });
-  }
+  unlessRefused(
+    () => carryOut(message),
+    reason => send({ type: 'refused', message: reason }),
+  );
 }
 
 function carryOut(message: ToPlane): void {

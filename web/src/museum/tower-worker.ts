@@ -10,7 +10,7 @@ import { questionId } from '../engine/message-reader';
 import { Speedometer } from '../engine/pacing';
 import type { FromWorker } from '../engine/protocol';
 import { sceneText } from '../engine/scene';
-import { errorText, guarded, isRefusal } from '../engine/worker-errors';
+import { errorText, guarded, unlessRefused } from '../engine/worker-errors';
 import loadMuseum from '../wasm/teeter_museum.js';
 import loadEngine from '../wasm/teeter_wasm.js';
 import { readToMuseum } from './message-reader';
@@ -170,12 +170,10 @@ function setConstants(values: ConstantValues): string | null {
 
 /** Carries out a message. One that is refused changes nothing. */
 function receive(data: unknown): void {
-  try {
-    carryOut(readToMuseum(data));
-  } catch (error) {
-    if (!isRefusal(error)) throw error;
-    send({ type: 'invalid', id: questionId(data), message: errorText(error) });
-  }
+  unlessRefused(
+    () => carryOut(readToMuseum(data)),
+    message => send({ type: 'invalid', id: questionId(data), message }),
+  );
 }
 
 function carryOut(message: ToMuseum): void {

@@ -11,7 +11,7 @@ use crate::kernel::affine_motion::{AffineMotion, AffineWrench};
 use crate::kernel::body_model::{BodyDelta, BodyModel, KernelBody};
 use crate::kernel::layout::{Group, Row, row, row_mut};
 use crate::kernel::spring::spring;
-use crate::kernel::uniform_motion::{deviation, load_uniform, squared_deviation};
+use crate::kernel::uniform_motion::Deviation;
 use crate::kernel::vector::{LaneArray, cross, dot, get3, into_frame, load, load3, out_of_frame, set3, store3};
 use crate::lattice::affine::{PARTICLES, outer, rest_position, sign, torque_moment};
 use crate::lattice::springs::{KINDS, SPRINGS, Springs, ends};
@@ -45,20 +45,11 @@ pub struct Lattice<R> {
     initial_sums: [[LaneArray<R>; 3]; 3],
     /// Half edges of the block over eight times the distances of the particles.
     extent: LaneArray<R>,
-    /// Distance from the centre to a corner, m.
-    radius: LaneArray<R>,
-    /// Uniform motion: velocity and spin, m and rad per substep, and the displacement and rotation
-    /// by which the body had deviated from it at the last sync, m and rad.
-    uniform: [[LaneArray<R>; 3]; 2],
-    deviation: [[LaneArray<R>; 3]; 2],
-    /// Substeps since the last sync.
-    substeps: LaneArray<R>,
-    /// Travel (m), rotation (rad) and deviation (m) that end the batch.
+    /// Travel (m) and rotation (rad) that end the batch.
     travel_budget: LaneArray<R>,
     rotation_budget: LaneArray<R>,
-    deviation_budget: LaneArray<R>,
-    /// True if any deviation is limited.
-    limits_deviation: bool,
+    /// Uniform motion, and the deviation from it that ends the batch.
+    deviation: Deviation<R>,
     /// 1 / (|e_k|² Σ |e_j|²) with the sum over the two other edges: rotation of the edges over the
     /// torque along an edge, 1/m⁴.
     inv_rotation: [LaneArray<R>; 3],
@@ -89,14 +80,9 @@ impl<R: Real> BodyModel<R> for Lattice<R> {
             h2_inv_mass: zero,
             initial_sums: [[zero; 3]; 3],
             extent: zero,
-            radius: zero,
-            uniform: [[zero; 3]; 2],
-            deviation: [[zero; 3]; 2],
-            substeps: zero,
             travel_budget: unlimited,
             rotation_budget: unlimited,
-            deviation_budget: unlimited,
-            limits_deviation: false,
+            deviation: Deviation::empty(),
             inv_rotation: [zero; 3],
             inv_distance: [zero; 3],
             centripetal: zero,
@@ -136,13 +122,9 @@ impl<R: Real> BodyModel<R> for Lattice<R> {
         self.centripetal.0[l] = R::from_f64(if spins { 1.0 - 1.0 / STRAIN_INERTIA } else { 0.0 });
         set3(&mut self.offset, l, body.offset);
         self.extent.0[l] = R::from_f64(1.0 / (8.0 * springs.inset));
-        self.radius.0[l] = R::from_f64(body.radius);
         self.travel_budget.0[l] = R::from_f64(body.travel_budget);
         self.rotation_budget.0[l] = R::from_f64(body.rotation_budget);
-        self.deviation_budget.0[l] = R::from_f64(body.deviation_budget);
-        self.limits_deviation = self.deviation_budget.0.iter().any(|budget| budget.to_f64() < 0.5 * UNLIMITED);
-        self.substeps.0[l] = R::from_f64(0.0);
-        load_uniform((&mut self.uniform, &mut self.deviation), l, body);
+        self.deviation.load(l, body);
 
         let center: DVec3 = rate.iter().sum::<DVec3>() / PARTICLES as f64;
         let gradient = (0..3).fold(DMat3::ZERO, |sum, k| {
@@ -260,8 +242,7 @@ impl<R: Real> BodyModel<R> for Lattice<R> {
             rotation += displacement * self::load(&self.inv_distance[k], part);
         }
         let travel = length(sum) * L::splat_f64(1.0 / PARTICLES as f64) + ends * self::load(&self.extent, part);
-        if self.limits_deviation {
-            let substeps = self::load::<L>(&self.substeps, part) + L::splat_f64(substeps as f64);
+        if self.deviation.is_limited() {
             let mut moved = [sum, [L::zero(); 3]];
             for k in 0..3 {
                 moved[0][k] = sum[k] * L::splat_f64(1.0 / PARTICLES as f64);
@@ -271,10 +252,7 @@ impl<R: Real> BodyModel<R> for Lattice<R> {
             for turned in &mut moved[1] {
                 *turned = *turned * L::splat_f64(0.5);
             }
-            let radius = self::load::<L>(&self.radius, part);
-            let deviation = squared_deviation((&self.uniform, &self.deviation), part, (&moved, substeps), radius);
-            let budget = self::load::<L>(&self.deviation_budget, part);
-            if L::any((budget * budget).less_than(deviation)) {
+            if self.deviation.exceeds_budget(part, substeps, &moved) {
                 return true;
             }
         }
@@ -285,13 +263,11 @@ impl<R: Real> BodyModel<R> for Lattice<R> {
     }
 
     fn add_substeps(&mut self, substeps: usize) {
-        for to in &mut self.substeps.0 {
-            *to = *to + R::from_f64(substeps as f64);
-        }
+        self.deviation.add_substeps(substeps);
     }
 
     fn deviation(&self, l: usize) -> (DVec3, DVec3) {
-        deviation((&self.uniform, &self.deviation), l, (self.displacement(l), self.substeps.0[l].to_f64()))
+        self.deviation.after(l, self.displacement(l))
     }
 
     fn displacement(&self, l: usize) -> (DVec3, DVec3) {

@@ -6,7 +6,7 @@ use crate::body::{BodyForce, world_tensor};
 use crate::constants::UNLIMITED;
 use crate::kernel::body_model::{BodyDelta, BodyModel, KernelBody, RelativeMotion};
 use crate::kernel::layout::{Group, Row, row, row_mut, store_in_order};
-use crate::kernel::uniform_motion::{deviation, load_uniform, squared_deviation};
+use crate::kernel::uniform_motion::Deviation;
 use crate::kernel::vector::{LaneArray, add3, cross, dot, get3, load, load3, set3, store3};
 use crate::simd::lanes::{Lanes, Real, RowRegister as _};
 
@@ -27,18 +27,11 @@ pub struct Rigid<R> {
     rotation: [LaneArray<R>; 3],
     /// Distance from the centre to a corner, m.
     radius: LaneArray<R>,
-    /// Uniform motion: velocity and spin, m and rad per substep, and the displacement and rotation
-    /// by which the body had deviated from it at the last sync, m and rad.
-    uniform: [[LaneArray<R>; 3]; 2],
-    deviation: [[LaneArray<R>; 3]; 2],
-    /// Substeps since the last sync.
-    substeps: LaneArray<R>,
-    /// Travel (m), rotation (rad) and deviation (m) that end the batch.
+    /// Travel (m) and rotation (rad) that end the batch.
     travel_budget: LaneArray<R>,
     rotation_budget: LaneArray<R>,
-    deviation_budget: LaneArray<R>,
-    /// True if any deviation is limited.
-    limits_deviation: bool,
+    /// Uniform motion, and the deviation from it that ends the batch.
+    deviation: Deviation<R>,
 }
 
 /// Relative velocity at the centroid and relative spin of two rigid bodies, along normal, tangent,
@@ -161,13 +154,9 @@ impl<R: Real> BodyModel<R> for Rigid<R> {
             displacement: [zero; 3],
             rotation: [zero; 3],
             radius: zero,
-            uniform: [[zero; 3]; 2],
-            deviation: [[zero; 3]; 2],
-            substeps: zero,
             travel_budget: unlimited,
             rotation_budget: unlimited,
-            deviation_budget: unlimited,
-            limits_deviation: false,
+            deviation: Deviation::empty(),
         }
     }
 
@@ -180,13 +169,10 @@ impl<R: Real> BodyModel<R> for Rigid<R> {
         set3(&mut self.offset, l, body.offset);
         set3(&mut self.displacement, l, DVec3::ZERO);
         set3(&mut self.rotation, l, DVec3::ZERO);
-        load_uniform((&mut self.uniform, &mut self.deviation), l, body);
-        self.substeps.0[l] = R::from_f64(0.0);
         self.radius.0[l] = R::from_f64(body.radius);
         self.travel_budget.0[l] = R::from_f64(body.travel_budget);
         self.rotation_budget.0[l] = R::from_f64(body.rotation_budget);
-        self.deviation_budget.0[l] = R::from_f64(body.deviation_budget);
-        self.limits_deviation = self.deviation_budget.0.iter().any(|budget| budget.to_f64() < 0.5 * UNLIMITED);
+        self.deviation.load(l, body);
         // The sync replaces the motion of a body in free flight by a parabola. The loop integrates
         // it all the same, to see when it uses up its budget.
         let (force, torque) = if body.active { (body.force, body.torque) } else { (DVec3::ZERO, DVec3::ZERO) };
@@ -308,18 +294,12 @@ impl<R: Real> BodyModel<R> for Rigid<R> {
     #[inline(always)]
     fn exceeds_budget<L: Lanes<Scalar = R>>(&self, part: usize, substeps: usize) -> bool {
         let (displacement, rotation) = (load3::<L>(&self.displacement, part), load3::<L>(&self.rotation, part));
-        let radius = load::<L>(&self.radius, part);
-        if self.limits_deviation {
-            let substeps = load::<L>(&self.substeps, part) + L::splat_f64(substeps as f64);
-            let moved = [displacement, rotation];
-            let deviation = squared_deviation((&self.uniform, &self.deviation), part, (&moved, substeps), radius);
-            let budget = load::<L>(&self.deviation_budget, part);
-            if L::any((budget * budget).less_than(deviation)) {
-                return true;
-            }
+        let moved = [displacement, rotation];
+        if self.deviation.is_limited() && self.deviation.exceeds_budget(part, substeps, &moved) {
+            return true;
         }
         let (displacement, rotation) = (dot(&displacement, &displacement), dot(&rotation, &rotation));
-        let travel_budget = load::<L>(&self.travel_budget, part);
+        let (radius, travel_budget) = (load::<L>(&self.radius, part), load::<L>(&self.travel_budget, part));
         let rotation_budget = load::<L>(&self.rotation_budget, part);
         let exceeded = (rotation_budget * rotation_budget).less_than(rotation);
         // Roots are taken only near a budget, by (a + b)² <= 2 (a² + b²). The factor leaves room
@@ -332,13 +312,11 @@ impl<R: Real> BodyModel<R> for Rigid<R> {
     }
 
     fn add_substeps(&mut self, substeps: usize) {
-        for to in &mut self.substeps.0 {
-            *to = *to + R::from_f64(substeps as f64);
-        }
+        self.deviation.add_substeps(substeps);
     }
 
     fn deviation(&self, l: usize) -> (DVec3, DVec3) {
-        deviation((&self.uniform, &self.deviation), l, (self.displacement(l), self.substeps.0[l].to_f64()))
+        self.deviation.after(l, self.displacement(l))
     }
 
     fn displacement(&self, l: usize) -> (DVec3, DVec3) {
