@@ -220,3 +220,21 @@ fn a_block_that_flies_with_another_is_stopped_by_a_third_and_met_by_the_second()
     // v sqrt(m / k) of the impact, twice for the corner that carries it alone.
     assert!(deepest < 2.0 * 2.0 * (MASS / scene.stiffness).sqrt(), "{deepest}");
 }
+
+#[test]
+fn a_block_that_trails_one_that_is_stopped_through_another_is_found_in_time() {
+    // A train of blocks of which the first two touch, end to end, towards a fixed one.
+    let length = SIZE[0];
+    for gap in [1e-3, 3e-3, 5e-3, 7e-3, 9e-3] {
+        let mut scene = blocks(&[0.0, -length, -2.0 * length - 5e-4, length + gap].map(|x| [x, 0.0, 0.5]));
+        scene.gravity = 0.0;
+        for block in &mut scene.blocks[..3] {
+            block.velocity = [2.0, 0.0, 0.0];
+        }
+        scene.blocks[3].fixed = true;
+        let mut world = World::new(&scene, Params::default()).unwrap();
+        let deepest = (0..10).map(|_| world.step(&Input::default()).penetration).fold(0.0, f64::max);
+        // u sqrt(m / 2 / k), of two blocks that meet at most at u = 2 v.
+        assert!(deepest < 2.0 * 2.0 * (MASS / 2.0 / scene.stiffness).sqrt(), "gap {gap}: {deepest} m");
+    }
+}

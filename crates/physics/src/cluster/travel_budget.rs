@@ -51,7 +51,8 @@ pub fn travel_budget(shapes: &Shapes, bodies: &Bodies, i: usize, speed: f64, tim
 /// Budgets of the bodies of a pair, which keep its last test valid.
 #[derive(Debug, Clone, Copy)]
 pub struct PairBudgets {
-    /// Time in which the pair, in uniform motion, uses up the travel that is left to it, s.
+    /// Time in which the pair, in uniform motion, uses up the travel that is left to it less the
+    /// deviation of both, s.
     time: f64,
     /// Deviation of each body from uniform motion, m.
     pub deviation: f64,
@@ -61,8 +62,9 @@ impl PairBudgets {
     /// Budgets of a pair.
     pub fn new(shapes: &Shapes, bodies: &Bodies, cached: &CachedPair) -> Self {
         let left = cached.remaining(shapes, bodies).max(MIN_TRAVEL_BUDGET);
+        let deviation = DEVIATION_SHARE * left;
         let speed = relative_speed(shapes, bodies, cached.pair).max(MIN_PAIR_SPEED);
-        Self { time: left / speed, deviation: (DEVIATION_SHARE * left).max(MIN_TRAVEL_BUDGET) }
+        Self { time: (left - 2.0 * deviation) / speed, deviation: deviation.max(MIN_TRAVEL_BUDGET) }
     }
 
     /// Travel of a body of the pair with this speed (m/s), m.
