@@ -86,6 +86,10 @@ impl Cluster {
 
     /// Energy in the springs of a contact, J: normal, Maxwell element and tangential.
     ///
+    /// A spring of leapfrog with stiffness k and compression x, which grows, keeps the energy
+    /// m v²(t + h/2) / 2 + k x(t) x(t + h) / 2: the square at the time of the velocity, less that of
+    /// half a displacement. A point that closes after `t` has taken nothing from its bodies yet.
+    ///
     /// Where the Maxwell element would pull by more than the spring pushes, the contact exerts no
     /// force, and its energy is that from which it went slack.
     fn contact_energy(&self, manifold: &Manifold) -> f64 {
@@ -94,12 +98,15 @@ impl Cluster {
         let opening_speed = self.opening_speeds(manifold);
         let squares = manifold.points.iter().map(|p| {
             let moved = lead * opening_speed(p);
-            let (gap, maxwell) = (p.gap + manifold.free_depth + moved, p.maxwell + moved);
-            let slack = gap + maxwell > 0.0;
-            let normal = match gap < 0.0 {
-                false => return 0.0,
-                true if slack => 0.5 * (gap - maxwell) * (gap - maxwell),
-                true => gap * gap + maxwell * maxwell,
+            let at_force = p.gap + manifold.free_depth;
+            let (gap, maxwell) = (at_force + moved, p.maxwell + moved);
+            if at_force >= 0.0 || gap >= 0.0 {
+                return 0.0;
+            }
+            let closing = moved.min(0.0);
+            let normal = match gap + maxwell > 0.0 {
+                true => 0.5 * (gap - maxwell) * (gap - maxwell),
+                false => (gap * gap + maxwell * maxwell - 2.0 * closing * closing).max(0.0),
             };
             p.weight * (normal + TANGENTIAL_STIFFNESS * p.tangential.iter().map(|u| u * u).sum::<f64>())
         });
