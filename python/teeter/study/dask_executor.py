@@ -2,14 +2,13 @@
 
 from __future__ import annotations
 
-import os
 from collections.abc import Callable, Sequence
 from concurrent.futures import CancelledError
 from typing import Any
 
 from teeter.errors import StudyError, WorkerError
 from teeter.study.extra import needed
-from teeter.study.sample import checked_count
+from teeter.study.sample import worker_count
 
 __all__ = ["Dask"]
 
@@ -30,7 +29,7 @@ class Dask:
         self._distributed: Any = needed("distributed", "dask")
         self._owned: list[Any] = []
         if address is None:
-            workers = os.cpu_count() or 1 if workers is None else checked_count("workers", workers, 1, 1024)
+            workers = worker_count(workers)
             # A port for the dashboard may be taken, and its pages need further packages.
             address = self._distributed.LocalCluster(n_workers=workers, threads_per_worker=1, dashboard_address=None)
             self._owned = [address]

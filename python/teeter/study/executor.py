@@ -7,7 +7,6 @@ a row.
 
 from __future__ import annotations
 
-import os
 from collections.abc import Callable, Sequence
 from concurrent import futures
 from concurrent.futures.process import BrokenProcessPool
@@ -17,12 +16,9 @@ from typing import Any, Protocol
 from teeter.errors import StudyError, WorkerError
 from teeter.study.dask_executor import Dask
 from teeter.study.ray_executor import Ray
-from teeter.study.sample import checked_count
+from teeter.study.sample import MAX_WORKERS, checked_count, worker_count
 
 __all__ = ["Dask", "Executor", "Futures", "Processes", "Serial", "Threads", "executor_of"]
-
-#: Largest number of workers of this machine.
-MAX_WORKERS = 1024
 
 
 class Executor(Protocol):
@@ -122,7 +118,7 @@ class Threads(Futures):
     """Threads of this process: the simulation runs without Python's lock. workers: one a core by default."""
 
     def __init__(self, workers: int | None = None) -> None:
-        workers = _cores() if workers is None else checked_count("workers", workers, 1, MAX_WORKERS)
+        workers = worker_count(workers)
         super().__init__(futures.ThreadPoolExecutor(workers, "study"), workers, is_remote=False)
 
     def close(self) -> None:
@@ -139,7 +135,7 @@ class Processes(Futures):
     """
 
     def __init__(self, workers: int | None = None) -> None:
-        workers = _cores() if workers is None else checked_count("workers", workers, 1, MAX_WORKERS)
+        workers = worker_count(workers)
         super().__init__(self._pool(workers), workers)
 
     @staticmethod
@@ -188,7 +184,7 @@ def _named(name: str, workers: int | None, address: str | None) -> Executor:
     if address is not None and name not in ("dask", "ray"):
         raise StudyError(f"`address` is {address!r}, expected none for executor `{name}`", "address")
     if workers is not None:
-        workers = checked_count("workers", workers, 1, MAX_WORKERS)
+        workers = worker_count(workers)
     if name == "serial":
         if workers not in (None, 1):
             raise StudyError(f"`workers` is {workers}, expected 1 for executor `serial`", "workers")
@@ -202,7 +198,3 @@ def _named(name: str, workers: int | None, address: str | None) -> Executor:
     if name == "ray":
         return Ray(address, workers)
     raise StudyError(f"`executor` is {name!r}, expected serial, threads, processes, dask or ray", "executor")
-
-
-def _cores() -> int:
-    return os.cpu_count() or 1

@@ -9,7 +9,7 @@ from typing import Any
 
 from teeter.errors import StudyError, WorkerError
 from teeter.study.extra import needed
-from teeter.study.sample import checked_count
+from teeter.study.sample import worker_count
 
 __all__ = ["Ray"]
 
@@ -90,7 +90,7 @@ def _options(address: str | None, workers: int | None) -> dict[str, Any]:
         "runtime_env": {"env_vars": {"PYTHONPATH": os.pathsep.join(map(os.path.abspath, sys.path))}},
     }
     if workers is not None:
-        options["num_cpus"] = checked_count("workers", workers, 1, 1024)
+        options["num_cpus"] = worker_count(workers)
     return options
 
 

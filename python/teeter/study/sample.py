@@ -10,6 +10,7 @@ import hashlib
 import itertools
 import json
 import math
+import os
 import re
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
@@ -37,6 +38,8 @@ KINDS: dict[str, tuple[type, ...]] = {
 }
 #: Largest seed of a study, and number of samples that it may have.
 MAX_SEED, MAX_SAMPLES = 2**63 - 1, 10**12 - 1
+#: Largest number of workers of this machine.
+MAX_WORKERS = 1024
 
 
 def seed_of(master: int, index: int) -> int:
@@ -167,6 +170,11 @@ def checked_count(name: str, value: Any, low: int, high: int) -> int:
     if isinstance(value, bool) or not isinstance(value, int | np.integer) or not low <= value <= high:
         raise StudyError(f"`{name}` is {_shown(value)}, expected an integer from {low} to {high}", name)
     return int(value)
+
+
+def worker_count(workers: int | None) -> int:
+    """Number of workers of this machine, one for each core where None is given. Raises StudyError."""
+    return os.cpu_count() or 1 if workers is None else checked_count("workers", workers, 1, MAX_WORKERS)
 
 
 def _merged(study: Study, given: Mapping[str, Any]) -> dict[str, Any]:
