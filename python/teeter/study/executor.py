@@ -169,7 +169,7 @@ def executor_of(executor: Any, workers: int | None = None, address: str | None =
         raise StudyError("`workers` and `address` are for executors given by name", "workers")
     if isinstance(executor, futures.Executor):
         is_remote = not isinstance(executor, futures.ThreadPoolExecutor)
-        return Futures(executor, getattr(executor, "_max_workers", None) or _cores(), is_remote=is_remote)
+        return Futures(executor, getattr(executor, "_max_workers", None) or worker_count(None), is_remote=is_remote)
     if hasattr(executor, "get_executor") and hasattr(executor, "nthreads"):
         return Dask(executor)
     if all(hasattr(executor, name) for name in ("workers", "submit", "wait", "result", "close", "is_remote")):
