@@ -87,8 +87,8 @@ impl Cluster {
     /// Energy in the springs of a contact, J: normal, Maxwell element and tangential.
     ///
     /// A spring of leapfrog with stiffness k and compression x, which grows, keeps the energy
-    /// m v²(t + h/2) / 2 + k x(t) x(t + h) / 2: the square at the time of the velocity, less that of
-    /// half a displacement. A point that closes after `t` has taken nothing from its bodies yet.
+    /// m v²(t + h/2) / 2 + k x(t) x(t + h) / 2: the square at the time of the velocity, less that
+    /// of half a displacement. A point that closes after t has taken nothing from its bodies yet.
     ///
     /// Where the Maxwell element would pull by more than the spring pushes, the contact exerts no
     /// force, and its energy is that from which it went slack.
