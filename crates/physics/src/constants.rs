@@ -74,6 +74,9 @@ pub const PARTING_SPEED: f64 = 2e-3;
 pub const TANGENTIAL_STIFFNESS: f64 = 0.8;
 /// Tangential over normal damping.
 pub const TANGENTIAL_DAMPING: f64 = 0.9;
+/// Gap of points that count as touching when the first ones do, over the smallest edge of the
+/// blocks: friction acts at the centre of these points.
+pub const FIRST_TOUCH: f64 = 0.01;
 /// Sliding speed at which friction is halfway between static and kinetic, m/s.
 pub const STRIBECK_SPEED: f64 = 1e-3;
 

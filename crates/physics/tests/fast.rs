@@ -6,7 +6,7 @@ mod common;
 use common::*;
 use glam::{DQuat, DVec3, Vec3Swizzles};
 use proptest::prelude::*;
-use teeter_physics::{AppliedForce, BodyId, Drive, Hand, Input, Params, Twist, World};
+use teeter_physics::{AppliedForce, BodyId, Drive, EnergyBalance, Hand, Input, Params, Twist, World};
 use teeter_scene::{Block, Form, Scene};
 
 fn steps(world: &mut World, frames: usize) -> f64 {
@@ -46,6 +46,38 @@ proptest! {
         let mass = density * size.iter().product::<f64>();
         let mut world = World::new(&ruler(size, mass, [x, y, 0.52], yaw), Params::default()).unwrap();
         steps(&mut world, 150);
+    }
+}
+
+/// Part of its energy that a ruler which falls on a block and the floor gains in the worst frame.
+fn gain(size: [f64; 3], density: f64, pos: [f64; 3], yaw: f64) -> f64 {
+    let mass = density * size.iter().product::<f64>();
+    let mut world = World::new(&ruler(size, mass, pos, yaw), Params::default()).unwrap();
+    let start = world.energy().total();
+    let mut balance = EnergyBalance::new(&world);
+    for _ in 0..150 {
+        let report = world.step(&Input::default());
+        balance.record(&world, &report);
+    }
+    balance.worst_gain() / start
+}
+
+#[test]
+fn a_ruler_that_meets_the_floor_with_an_end_gains_no_energy() {
+    // Friction at another height than that of the end would twist it about its length, up to 40
+    // times the energy of its fall.
+    for (size, density, x, y, yaw) in [
+        ([1.0025, 0.01102, 0.00368], 300.0, 0.0472, 0.0198, 0.997),
+        ([1.0824, 0.01593, 0.00114], 577.0, 0.1064, -0.0148, 2.903),
+        ([0.9890, 0.01523, 0.00404], 639.0, 0.0352, -0.0106, -0.648),
+        ([1.6630, 0.01427, 0.00237], 823.0, 0.0152, -0.0091, 2.781),
+        ([1.6604, 0.01283, 0.00338], 474.0, -0.1112, -0.0130, 0.166),
+        ([0.6041, 0.01303, 0.00296], 844.0, 0.0758, 0.0184, 0.470),
+    ] {
+        for shift in [-2e-3, -1e-3, 0.0, 1e-3, 2e-3] {
+            let gain = gain(size, density, [x + shift, y, 0.52], yaw);
+            assert!(gain < 1e-3, "{size:?} at {x} + {shift}: {gain:e}");
+        }
     }
 }
 

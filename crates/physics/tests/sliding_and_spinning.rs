@@ -119,3 +119,44 @@ fn a_square_and_a_block_that_slide_and_spin_stop_within_one_percent() {
         assert!(errors.iter().all(|error| error.abs() < 0.01), "{size:?}: {errors:?}");
     }
 }
+
+/// Block that slides along x at `speed` (m/s) on the floor with a coefficient of friction.
+fn sliding(friction: f64, speed: f64) -> World {
+    let mut world = World::new(&Scene { friction, ..one() }, awake()).unwrap();
+    run(&mut world, 0.5, &Input::default());
+    world.set_twist(BodyId(0), Twist::linear(DVec3::new(speed, 0.0, 0.0)));
+    world
+}
+
+#[test]
+fn the_floor_bears_a_sliding_block_where_the_block_is() {
+    // The load is below the centre, and ahead of it by mu h for a block that friction stops.
+    for (friction, speed) in [(0.0, 0.2), (0.0, 2.0), (0.3, 2.0)] {
+        let mut world = sliding(friction, speed);
+        for frame in 0..30 {
+            world.step(&Input::default());
+            let load = world.contacts(BodyId(0))[0].point - position(&world, 0);
+            let ahead = friction * 0.5 * SIZE[2];
+            assert!((load.x - ahead).abs() < 1e-4 && load.y.abs() < 1e-5, "mu {friction}, frame {frame}: {load}");
+        }
+    }
+}
+
+#[test]
+fn a_small_block_that_tumbles_over_the_floor_does_not_sink() {
+    for seed in 0..12 {
+        let mut random = Random::new(seed);
+        let mut between = |low: f64, high: f64| low + (high - low) * random.uniform();
+        let size = [between(0.003, 0.012), between(0.003, 0.012), 0.0035];
+        let mass = 700.0 * size.iter().product::<f64>();
+        let spin = [between(-60.0, 60.0), between(-60.0, 60.0), between(-20.0, 20.0)];
+        let velocity = [between(-1.0, 1.0), between(-1.0, 1.0), -0.5];
+        let block = Block { velocity, spin, ..Block::new(0, size, mass, [0.0, 0.0, 0.012]) };
+        let scene = Scene { friction: 0.1, restitution: 0.1, stiffness: 2e6, ..blocks(&[]) };
+        let mut world = World::new(&Scene { blocks: vec![block], ..scene }, awake()).unwrap();
+        for frame in 0..60 {
+            let depth = world.step(&Input::default()).penetration / 0.0035;
+            assert!(depth < 0.02, "seed {seed}, frame {frame}: {depth:.3} of its thickness");
+        }
+    }
+}

@@ -1,6 +1,7 @@
 //! Contact manifolds of a cluster, sorted by their keys, and the detection that updates them.
 
 use arrayvec::ArrayVec;
+use glam::{DMat3, DVec3};
 use serde::{Deserialize, Serialize};
 
 use crate::body::{Bodies, FLOOR, Shapes, rotate_tensor};
@@ -255,6 +256,32 @@ fn set_gaps(bodies: &Bodies, manifold: &mut Manifold) {
         let on_a = center_a + axes_a * point.anchor_a;
         let on_b = center_b + axes_b * point.anchor_b;
         point.gap = normal.dot(on_b - on_a);
+    }
+    if manifold.a == FLOOR {
+        carry_along(manifold, center_b, axes_b);
+    }
+}
+
+/// Moves the arms of a manifold on the floor along with its block, whose corners the points are,
+/// and turns its levers.
+fn carry_along(manifold: &mut Manifold, center: DVec3, axes: DMat3) {
+    let diagonal = |manifold: &Manifold| {
+        let [p, _, q, _] = manifold.points.as_slice() else { return [0.0; 2] };
+        [q.arm[0] - p.arm[0], q.arm[1] - p.arm[1]]
+    };
+    let before = diagonal(manifold);
+    for point in &mut manifold.points {
+        let corner = center + axes * point.anchor_b;
+        point.anchor_a = DVec3::new(corner.x, corner.y, 0.0);
+        let arm = point.anchor_a - manifold.centroid;
+        point.arm = [arm.x, arm.y];
+    }
+    let after = diagonal(manifold);
+    let cosine = before[0] * after[0] + before[1] * after[1];
+    let sine = before[0] * after[1] - before[1] * after[0];
+    let length = (cosine * cosine + sine * sine).sqrt();
+    if length > 0.0 {
+        manifold.levers = manifold.levers.turned([cosine / length, sine / length]);
     }
 }
 

@@ -39,6 +39,9 @@ const ARM_GROWTH: f64 = 1.3;
 /// that growth is left.
 const ARM_REACH: f64 = 0.38;
 
+/// Levers over the offsets of the ends of an edge: the centroids of its halves.
+const EDGE: f64 = 0.5;
+
 /// Relative motion of the two bodies of a patch at its centre of pressure.
 #[derive(Debug, Clone, Copy, Default, PartialEq)]
 pub struct Slip {
@@ -99,6 +102,17 @@ impl FrictionLevers {
         let arms =
             offsets.iter().zip(shares).map(|(offset, share)| (apply(&levers.map, *offset), length(*offset), *share));
         levers.with_torsion(arms.collect::<arrayvec::ArrayVec<_, 8>>().as_slice(), torsion_ratio)
+    }
+
+    /// Levers of a patch that has turned about the normal by an angle of this cosine and sine.
+    pub fn turned(self, [c, s]: [f64; 2]) -> Self {
+        let turn = |[[a, b], [d, e]]: [[f64; 2]; 2]| {
+            let [p, q] = [[c * a - s * d, c * b - s * e], [s * a + c * d, s * b + c * e]];
+            [[c * p[0] - s * p[1], s * p[0] + c * p[1]], [c * q[0] - s * q[1], s * q[0] + c * q[1]]]
+        };
+        let [xx, xy, yy] = self.moments;
+        let [[xx, xy], [_, yy]] = turn([[xx, xy], [xy, yy]]);
+        Self { map: turn(self.map), sliding_map: turn(self.sliding_map), moments: [xx, xy, yy], ..self }
     }
 
     /// Levers at a slip.
@@ -186,6 +200,28 @@ impl FrictionLevers {
 }
 
 impl SlipLevers {
+    /// Levers of a patch that bears on an edge or a corner.
+    ///
+    /// The quarters of a long patch lie in a row along it: those of its ends would be far from an
+    /// end on which it stands, and above or below the plane of the contact.
+    pub fn of_edge() -> Self {
+        Self { map: [[EDGE, 0.0], [0.0, EDGE]], ..Self::default() }
+    }
+
+    /// Levers between those of an edge and these, of a patch that is flat to this share, from 0 to
+    /// 1.
+    pub fn mixed_with_edge(mut self, flat: f64) -> Self {
+        let edge = Self::of_edge();
+        for (row, edge) in self.map.iter_mut().zip(edge.map) {
+            for (lever, edge) in row.iter_mut().zip(edge) {
+                *lever = edge + flat * (*lever - edge);
+            }
+        }
+        self.turn_squared *= flat;
+        self.growth *= flat;
+        self
+    }
+
     /// Lever along the two tangents, and turning arm, of a corner at `offset` from the centre of
     /// pressure, m.
     pub fn arms(&self, offset: [f64; 2]) -> [f64; 3] {
@@ -312,6 +348,24 @@ mod tests {
                     (half[0] * half[0] * along * along + half[1] * half[1] * (1.0 - along * along)) / 3.0;
                 let error = torque(&levers, &offsets, &slip) / (0.5 * second_moment) - 1.0;
                 assert!(error.abs() < 0.02, "{half:?}, {angle}, {direction}: {error}");
+            }
+        }
+    }
+
+    #[test]
+    fn levers_turn_with_their_patch() {
+        for angle in [0.3, 1.0, -2.5] {
+            let (sine, cosine) = libm::sincos(angle);
+            let (levers, offsets) = rectangle(HALF, 0.4);
+            let turned = levers.turned([cosine, sine]);
+            let (expected, expected_offsets) = rectangle(HALF, 0.4 + angle);
+            let slip = Slip { velocity: [0.02, -0.05], spin: 3.0 };
+            for (offset, expected_offset) in offsets.iter().zip(&expected_offsets) {
+                let [x, y] = *offset;
+                let at = turned.at(&slip).arms([cosine * x - sine * y, sine * x + cosine * y]);
+                for (x, y) in at.iter().zip(expected.at(&slip).arms(*expected_offset)) {
+                    assert!((x - y).abs() < 1e-12, "{angle}: {x} and {y}");
+                }
             }
         }
     }

@@ -7,8 +7,8 @@ use arrayvec::ArrayVec;
 use glam::{DMat3, DVec3};
 use serde::{Deserialize, Serialize};
 
-use crate::body::{Bodies, FLOOR, Shapes};
-use crate::collision::friction_levers::{FrictionLevers, Slip};
+use crate::body::{Bodies, FLOOR};
+use crate::collision::friction_levers::FrictionLevers;
 use crate::collision::polygon::{MAX_CORNERS, Patch};
 use crate::constants::{MIN_AREA, REFERENCE_AREA};
 
@@ -235,43 +235,6 @@ impl Manifold {
     /// Covariance of the points along both tangents, m².
     fn covariance(&self) -> f64 {
         self.points.iter().map(|p| p.weight * p.arm[0] * p.arm[1]).sum::<f64>()
-    }
-
-    /// Centre of pressure of the last substep: offset from the centroid along the tangents, m.
-    fn center_of_pressure(&self) -> [f64; 2] {
-        let total = self.normal_force();
-        if total <= 0.0 {
-            return [0.0; 2];
-        }
-        [0, 1].map(|k| self.points.iter().map(|p| p.normal_force * p.arm[k]).sum::<f64>() / total)
-    }
-
-    /// Velocity and spin of B relative to A at an offset from the centroid (m); none where both
-    /// bodies are [still](Slip::is_negligible).
-    fn slip(&self, shapes: &Shapes, bodies: &Bodies, [x, y]: [f64; 2]) -> Slip {
-        let still = |i: u32| i == FLOOR || Slip::is_negligible(bodies.squared_speed_bound(shapes, i as usize));
-        if still(self.a) && still(self.b) {
-            return Slip::default();
-        }
-        let (center_a, axes_a) = bodies.pose(self.a);
-        let [normal, tangents @ ..] = self.frame_in_world(bodies, axes_a);
-        let at = center_a + axes_a * self.centroid + tangents[0] * x + tangents[1] * y;
-        let [(velocity_a, spin_a), (velocity_b, spin_b)] = [self.a, self.b].map(|i| bodies.twist_at(i, at));
-        let velocity = velocity_b - velocity_a;
-        Slip { velocity: tangents.map(|tangent| tangent.dot(velocity)), spin: normal.dot(spin_b - spin_a) }
-    }
-
-    /// Lever of friction along the tangents, and turning arm, of each point, m.
-    ///
-    /// The resultant acts at the centre of pressure of the last substep, from which
-    /// [`FrictionLevers`] takes the offsets.
-    pub fn friction_arms(&self, shapes: &Shapes, bodies: &Bodies) -> impl Fn(&ContactPoint) -> [f64; 3] {
-        let center = self.center_of_pressure();
-        let levers = self.levers.at(&self.slip(shapes, bodies, center));
-        move |p| {
-            let [x, y, turning_arm] = levers.arms([p.arm[0] - center[0], p.arm[1] - center[1]]);
-            [center[0] + x, center[1] + y, turning_arm]
-        }
     }
 
     /// Copies to each point the history of the nearest point of an earlier manifold of the same

@@ -8,6 +8,7 @@ pub mod contacts;
 pub mod cuboid;
 pub mod edge_contact;
 pub mod face_contact;
+pub mod friction_arms;
 pub mod friction_levers;
 pub mod lookahead;
 pub mod manifold;

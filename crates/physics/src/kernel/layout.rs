@@ -15,7 +15,7 @@ pub struct PointLanes<R> {
     pub arm: [LaneArray<R>; 2],
     /// Offset from the centroid at which friction acts, along the tangents, and arm at which it
     /// resists turning about the normal, m, see
-    /// [`Manifold::friction_arms`](crate::collision::manifold::Manifold::friction_arms).
+    /// [`friction_arms`](crate::collision::friction_arms::friction_arms).
     pub friction_arm: [LaneArray<R>; 3],
     /// Separation, m.
     pub gap: LaneArray<R>,

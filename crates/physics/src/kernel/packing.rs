@@ -11,6 +11,7 @@ use glam::DVec3;
 use crate::body::{Bodies, FLOOR, Shapes};
 use crate::collision::cached_pair::relative_speed;
 use crate::collision::contacts::Contacts;
+use crate::collision::friction_arms::friction_arms;
 use crate::collision::manifold::Manifold;
 use crate::collision::stable_spring::stable_spring;
 use crate::constants::{RUNAWAY_SPEED, UNLIMITED};
@@ -318,7 +319,7 @@ fn pack_points<R: Real>(
 
 /// Packs the levers of friction of an entry into lane `l`.
 fn pack_friction_arms<R: Real>(group: &mut Group<R>, l: usize, entry: &Entry, manifold: &Manifold, input: &PackInput) {
-    let friction_arms = manifold.friction_arms(input.shapes, input.bodies);
+    let friction_arms = friction_arms(manifold, input.shapes, input.bodies);
     for (&p, to) in entry.points.iter().zip(&mut group.points) {
         for (to, arm) in to.friction_arm.iter_mut().zip(friction_arms(&manifold.points[p as usize])) {
             to.0[l] = R::from_f64(arm);
