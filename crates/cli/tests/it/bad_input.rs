@@ -4,7 +4,7 @@
 use std::fs::File;
 use std::io::Write;
 
-use crate::common::{teeter, teeter_with};
+use crate::common::{command, teeter, teeter_with};
 use serde_json::{Value, json};
 
 fn good() -> Value {
@@ -93,7 +93,7 @@ fn a_huge_file_is_refused_before_it_is_read() {
         let error = teeter(&[command, path]).error_line().to_owned();
         assert!(error.contains("larger than"), "{error}");
     }
-    let done = crate::common::command(&["run", "-"]).stdin(File::open(path).unwrap()).output().unwrap();
+    let done = command(&["run", "-"]).stdin(File::open(path).unwrap()).output().unwrap();
     assert_eq!(done.status.code(), Some(2));
     assert!(String::from_utf8(done.stderr).unwrap().contains("larger than 64 MB"));
 }
@@ -197,7 +197,7 @@ fn commands_that_are_none() {
 
 #[test]
 fn a_reader_that_leaves_is_no_error() {
-    let mut child = crate::common::command(&["scene", "tower", "--rows", "200"]).spawn().unwrap();
+    let mut child = command(&["scene", "tower", "--rows", "200"]).spawn().unwrap();
     drop(child.stdout.take());
     let done = child.wait_with_output().unwrap();
     assert_eq!((done.status.code(), done.stderr.as_slice()), (Some(0), &b""[..]));

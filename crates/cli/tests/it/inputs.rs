@@ -3,7 +3,7 @@
 
 use std::path::PathBuf;
 
-use crate::common::{Done, teeter_with};
+use crate::common::{Done, teeter, teeter_with};
 use teeter_scene::Scene;
 
 /// Two blocks side by side on a floor of friction 0.4, with ids that are not their indices.
@@ -204,7 +204,7 @@ fn errors_of_hands_forces_and_drives_name_the_path() {
 
 #[test]
 fn standard_input_is_one_file() {
-    let done = crate::common::teeter(&["run", "-", "--inputs", "-"]);
+    let done = teeter(&["run", "-", "--inputs", "-"]);
     assert_eq!(
         done.error_line(),
         "standard input cannot be both the scene and the inputs: give the file of one of them"

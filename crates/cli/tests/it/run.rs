@@ -83,8 +83,7 @@ fn same_run_same_hash() {
 fn stiffness_is_the_scenes_unless_the_flag_names_one() {
     let hash = |scene: &[&str], run: &[&str]| {
         let printed = teeter(&[&["scene"], scene].concat()).out;
-        crate::common::teeter_with(&[&["run", "-", "--seconds", "1", "--json"], run].concat(), printed.as_bytes())
-            .json()["hash"]
+        teeter_with(&[&["run", "-", "--seconds", "1", "--json"], run].concat(), printed.as_bytes()).json()["hash"]
             .clone()
     };
     let default = hash(&["test-4"], &[]);
@@ -111,7 +110,7 @@ fn single_and_double_agree() {
 fn a_falling_block_is_seen_to_fall() {
     let scene = r#"{"name": "drop", "gravity": 9.81, "friction": 0.4, "blocks":
         [{"id": 42, "size": [0.081, 0.0268, 0.018], "mass": 0.0196, "pos": [0, 0, 0.5], "yaw": 0}]}"#;
-    let report = crate::common::teeter_with(&["run", "-", "--seconds", "3", "--json"], scene.as_bytes()).json();
+    let report = teeter_with(&["run", "-", "--seconds", "3", "--json"], scene.as_bytes()).json();
     assert_eq!((&report["stands"], &report["fell"]), (&Value::from(false), &serde_json::json!([42])));
     let moved = report["max_displacement_mm"].as_f64().unwrap();
     assert!((moved - 491.0).abs() < 1.0, "{moved}");
@@ -145,7 +144,7 @@ const SLIDING: &str = r#"{"name": "sliding", "friction": 0.3, "restitution": 0.5
 
 /// Runs a scene for a time (s) and returns the scene at the end.
 fn end_of(scene: &[u8], seconds: &str) -> teeter_scene::Scene {
-    let done = crate::common::teeter_with(&["run", "-", "--seconds", seconds, "--ramp", "0", "--out", "-"], scene);
+    let done = teeter_with(&["run", "-", "--seconds", seconds, "--ramp", "0", "--out", "-"], scene);
     assert_eq!(done.code, 0, "{}", done.err);
     teeter_scene::Scene::from_json(&done.out).unwrap()
 }
@@ -202,7 +201,7 @@ fn the_ramp_of_gravity_can_be_set() {
     let drop = SLIDING.replace("[0, 0, 0.009]", "[0, 0, 0.5]").replace("[0.5, 0, 0]", "[0, 0, 0]");
     let speed = |ramp: &str| {
         let args = ["run", "-", "--seconds", "0.2", "--json", "--ramp", ramp];
-        crate::common::teeter_with(&args, drop.as_bytes()).json()["rms_speed"].as_f64().unwrap()
+        teeter_with(&args, drop.as_bytes()).json()["rms_speed"].as_f64().unwrap()
     };
     assert!((speed("0") - 9.81 * 0.2).abs() < 1e-6, "{}", speed("0"));
     // gravity grows with time: g t² / (2 ramp)
@@ -218,7 +217,7 @@ fn warnings_name_what_a_world_changes() {
     let inputs = tempfile::NamedTempFile::new().unwrap();
     std::fs::write(inputs.path(), "{\"time\": 3}\n{\"time\": 2}").unwrap();
     let args = ["run", "-", "--seconds", "1", "--json", "--inputs", inputs.path().to_str().unwrap()];
-    let report = crate::common::teeter_with(&args, bouncy.as_bytes()).json();
+    let report = teeter_with(&args, bouncy.as_bytes()).json();
     let expected = [
         "`restitution` is 0.99, contacts have 0.96: they can have 0 to 0.96",
         "2 changes of the inputs begin after the end of the run, the first at 2 s",
@@ -227,8 +226,7 @@ fn warnings_name_what_a_world_changes() {
     let mut sunk = teeter_scene::named("test-5").unwrap();
     // two blocks into the one below
     sunk.blocks[2..].iter_mut().for_each(|block| block.pos[2] -= 1e-5);
-    let report =
-        crate::common::teeter_with(&["run", "-", "--seconds", "1", "--json"], sunk.to_json().as_bytes()).json();
+    let report = teeter_with(&["run", "-", "--seconds", "1", "--json"], sunk.to_json().as_bytes()).json();
     assert_eq!(report["warnings"], serde_json::json!(["2 pairs of blocks overlap, by up to 0.0100 mm"]));
 }
 
@@ -238,16 +236,16 @@ fn overlapping_blocks_are_pushed_apart_on_demand() {
     let mut scene = teeter_scene::named("test-5").unwrap();
     scene.blocks[2..].iter_mut().for_each(|block| block.pos[2] -= 3.4e-4);
     let text = scene.to_json();
-    let refused = crate::common::teeter_with(&["run", "-"], text.as_bytes());
+    let refused = teeter_with(&["run", "-"], text.as_bytes());
     let expected = "standard input: blocks 1 and 2: `pos` makes them overlap by 0.340 mm";
     assert!(refused.error_line().starts_with(expected), "{}", refused.err);
     assert!(refused.error_line().ends_with("; `teeter run --settle` pushes blocks apart"), "{}", refused.err);
     let args = ["run", "-", "--settle", "--seconds", "1", "--json"];
-    let report = crate::common::teeter_with(&args, text.as_bytes()).json();
+    let report = teeter_with(&args, text.as_bytes()).json();
     assert_eq!(report["warnings"], serde_json::json!(["pushed 2 blocks apart, by up to 0.34 mm"]));
     assert_eq!(report["stands"], true);
     assert!(report["max_displacement_mm"].as_f64().unwrap() < 0.01, "{report}");
-    let report = crate::common::teeter_with(&args, teeter(&["scene", "test-5"]).out.as_bytes()).json();
+    let report = teeter_with(&args, teeter(&["scene", "test-5"]).out.as_bytes()).json();
     assert_eq!(report["warnings"], serde_json::json!([]));
 }
 

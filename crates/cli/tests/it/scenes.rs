@@ -111,10 +111,10 @@ fn edges_of_towers_can_be_round() {
 
 #[test]
 fn the_licences_of_all_parts_are_printed() {
-    let done = crate::common::teeter(&["--licences"]);
+    let done = teeter(&["--licences"]);
     assert_eq!((done.code, done.err.as_str()), (0, ""));
     for part in ["standard library of Rust", "* three 0.", "* glam 0.", "* clap 4.", "Permission is hereby granted"] {
         assert!(done.out.contains(part), "{part}");
     }
-    assert_eq!(crate::common::teeter(&["--licenses"]).out, done.out);
+    assert_eq!(teeter(&["--licenses"]).out, done.out);
 }

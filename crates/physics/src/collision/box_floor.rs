@@ -49,20 +49,17 @@ pub fn box_floor(b: &Cuboid, range: Range, last: Option<SeparatingAxis>, to: &mu
     let half = [b.half[ip] - inset, b.half[iq] - inset];
     let rise = DVec3::from_array(std::array::from_fn(|i| if i == k { -outward * radius } else { 0.0 })) - up * radius;
     let patch = Patch::new(&sides.map(|(x, y)| Corner { u: x * half[0], v: y * half[1], gap: 0.0 }));
-    let ground = |local: DVec3| {
-        let x = b.center + b.axes * local;
-        DVec3::new(x.x, x.y, 0.0)
-    };
-    let centroid = ground(center);
+    let middle = b.center + b.axes * center;
+    let centroid = DVec3::new(middle.x, middle.y, 0.0);
     let points = sides.iter().map(|(x, y)| {
         let mut anchor_b = center;
         anchor_b[ip] = x * half[0];
         anchor_b[iq] = y * half[1];
         anchor_b += rise;
-        let x = b.center + b.axes * anchor_b;
-        let anchor_a = DVec3::new(x.x, x.y, 0.0);
-        let arm = anchor_a - centroid;
-        ContactPoint { anchor_a, anchor_b, arm: [arm.x, arm.y], weight: 0.25, gap: x.z, ..ContactPoint::default() }
+        let corner = b.center + b.axes * anchor_b;
+        let mut point = ContactPoint { anchor_b, weight: 0.25, gap: corner.z, ..ContactPoint::default() };
+        point.place_on_floor(corner, centroid);
+        point
     });
     to.axis = SeparatingAxis::FaceHigh(k as u8);
     to.set([FLOOR, b.body], ([DVec3::Z, DVec3::X, DVec3::Y], centroid), &patch, points);

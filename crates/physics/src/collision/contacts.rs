@@ -1,7 +1,7 @@
 //! Contact manifolds of a cluster, sorted by their keys, and the detection that updates them.
 
 use arrayvec::ArrayVec;
-use glam::{DMat3, DVec3};
+use glam::DVec2;
 use serde::{Deserialize, Serialize};
 
 use crate::body::{Bodies, FLOOR, Shapes, rotate_tensor};
@@ -246,42 +246,40 @@ impl Contacts {
     }
 }
 
-/// Sets the gaps of a manifold from the poses.
+/// Sets the gaps of a manifold from the poses. The points of a manifold on the floor are corners of
+/// its block: their arms move along with it, and its levers turn.
 fn set_gaps(bodies: &Bodies, manifold: &mut Manifold) {
     let (center_a, axes_a) = bodies.pose(manifold.a);
     let (center_b, axes_b) = bodies.affine(manifold.b);
     let normal = manifold.normal_in_world(bodies, axes_a);
     let axes_a = bodies.strained(manifold.a, axes_a);
+    let on_floor = manifold.a == FLOOR;
+    let before = on_floor.then(|| diagonal(manifold));
     for point in &mut manifold.points {
         let on_a = center_a + axes_a * point.anchor_a;
         let on_b = center_b + axes_b * point.anchor_b;
         point.gap = normal.dot(on_b - on_a);
+        if on_floor {
+            point.place_on_floor(on_b, manifold.centroid);
+        }
     }
-    if manifold.a == FLOOR {
-        carry_along(manifold, center_b, axes_b);
+    if let Some(before) = before {
+        turn_levers(manifold, before);
     }
 }
 
-/// Moves the arms of a manifold on the floor along with its block, whose corners the points are,
-/// and turns its levers.
-fn carry_along(manifold: &mut Manifold, center: DVec3, axes: DMat3) {
-    let diagonal = |manifold: &Manifold| {
-        let [p, _, q, _] = manifold.points.as_slice() else { return [0.0; 2] };
-        [q.arm[0] - p.arm[0], q.arm[1] - p.arm[1]]
-    };
-    let before = diagonal(manifold);
-    for point in &mut manifold.points {
-        let corner = center + axes * point.anchor_b;
-        point.anchor_a = DVec3::new(corner.x, corner.y, 0.0);
-        let arm = point.anchor_a - manifold.centroid;
-        point.arm = [arm.x, arm.y];
-    }
+/// Vector between two opposite corners of a quadrilateral patch, along the tangents, m.
+fn diagonal(manifold: &Manifold) -> DVec2 {
+    let [p, _, q, _] = manifold.points.as_slice() else { return DVec2::ZERO };
+    DVec2::from_array(q.arm) - DVec2::from_array(p.arm)
+}
+
+/// Turns the levers of a manifold as its diagonal has turned since it was `before` (m).
+fn turn_levers(manifold: &mut Manifold, before: DVec2) {
     let after = diagonal(manifold);
-    let cosine = before[0] * after[0] + before[1] * after[1];
-    let sine = before[0] * after[1] - before[1] * after[0];
-    let length = (cosine * cosine + sine * sine).sqrt();
-    if length > 0.0 {
-        manifold.levers = manifold.levers.turned([cosine / length, sine / length]);
+    let turn = DVec2::new(before.dot(after), before.perp_dot(after));
+    if turn.length() > 0.0 {
+        manifold.levers = manifold.levers.turned((turn / turn.length()).to_array());
     }
 }
 

@@ -5,6 +5,8 @@
 //! the contact, so a centre at which the bodies are apart would be a point of neither: the friction
 //! of a long block that meets the floor with one end would twist it about its length.
 
+use std::cell::LazyCell;
+
 use crate::body::{Bodies, FLOOR, Shapes};
 use crate::collision::friction_levers::{Slip, SlipLevers};
 use crate::collision::manifold::{ContactPoint, Manifold};
@@ -13,14 +15,14 @@ use crate::constants::{FIRST_TOUCH, SYNC_TIME};
 
 /// Relative motion of the bodies of a manifold at its centroid, along its frame.
 #[derive(Debug, Clone, Copy, Default)]
-struct Approach {
+struct RelativeTwist {
     /// Velocity along normal, tangent, tangent, m/s.
     velocity: [f64; 3],
     /// Spin about normal, tangent, tangent, rad/s.
     spin: [f64; 3],
 }
 
-impl Approach {
+impl RelativeTwist {
     /// Motion of B relative to A; none where both bodies are [still](Slip::is_negligible).
     fn of(manifold: &Manifold, shapes: &Shapes, bodies: &Bodies) -> Self {
         let still = |i: u32| i == FLOOR || Slip::is_negligible(bodies.squared_speed_bound(shapes, i as usize));
@@ -64,19 +66,15 @@ fn levers(manifold: &Manifold, shapes: &Shapes, bodies: &Bodies) -> ([f64; 2], S
     let tolerance = FIRST_TOUCH * thickness(manifold, shapes);
     let flat = flat_share(manifold, tolerance);
     let pressed = weighted_center(manifold, |p| p.normal_force);
-    if flat == 0.0
-        && let Some(center) = pressed
-    {
+    // Most contacts of blocks that tumble are pressed and tilted, and need none.
+    let motion = LazyCell::new(|| RelativeTwist::of(manifold, shapes, bodies));
+    let center = pressed.unwrap_or_else(|| first_touch(manifold, tolerance, &motion));
+    if flat == 0.0 {
         return (center, SlipLevers::of_edge());
     }
-    let approach = Approach::of(manifold, shapes, bodies);
-    let center = pressed.unwrap_or_else(|| first_touch(manifold, tolerance, &approach));
-    let levers = match flat {
-        0.0 => SlipLevers::of_edge(),
-        1.0 => manifold.levers.at(&approach.slip(center)),
-        _ => manifold.levers.at(&approach.slip(center)).mixed_with_edge(flat),
-    };
-    (center, levers)
+    let levers = manifold.levers.at(&motion.slip(center));
+    // A patch that lies flat keeps its levers to the last bit.
+    (center, if flat < 1.0 { levers.mixed_with_edge(flat) } else { levers })
 }
 
 /// Centre of the points at which bodies that are apart will touch first: offset from the centroid
@@ -84,15 +82,15 @@ fn levers(manifold: &Manifold, shapes: &Shapes, bodies: &Bodies) -> ([f64; 2], S
 ///
 /// Points that will then be open by up to the `tolerance` (m) count too, or the centre of a patch
 /// that lands flat would hang on rounding.
-fn first_touch(manifold: &Manifold, tolerance: f64, approach: &Approach) -> [f64; 2] {
+fn first_touch(manifold: &Manifold, tolerance: f64, motion: &RelativeTwist) -> [f64; 2] {
     let touch_time = |p: &ContactPoint| match p.gap + manifold.free_depth {
         gap if gap <= 0.0 => 0.0,
-        gap => gap / (-approach.opening(p.arm)).max(f64::MIN_POSITIVE),
+        gap => gap / (-motion.opening(p.arm)).max(f64::MIN_POSITIVE),
     };
     let time = manifold.points.iter().map(touch_time).fold(f64::INFINITY, f64::min);
     // Until then the bodies are synced, and may move otherwise.
     let time = if time < SYNC_TIME { time } else { 0.0 };
-    let gap = |p: &ContactPoint| p.gap + approach.opening(p.arm) * time;
+    let gap = |p: &ContactPoint| p.gap + motion.opening(p.arm) * time;
     let lowest = manifold.points.iter().map(gap).fold(f64::INFINITY, f64::min);
     weighted_center(manifold, |p| p.weight * (lowest + tolerance - gap(p)).max(0.0)).unwrap_or_default()
 }

@@ -82,6 +82,14 @@ pub struct Manifold {
 }
 
 impl ContactPoint {
+    /// Sets anchor and arm on the floor to those below a corner of the block; corner and centroid
+    /// are in the world, m.
+    pub fn place_on_floor(&mut self, corner: DVec3, centroid: DVec3) {
+        self.anchor_a = DVec3::new(corner.x, corner.y, 0.0);
+        let arm = self.anchor_a - centroid;
+        self.arm = [arm.x, arm.y];
+    }
+
     /// Resets the springs to those of an open point.
     pub fn reset(&mut self) {
         self.tangential = [0.0; 3];

@@ -3,7 +3,7 @@
 use crate::common::*;
 use glam::{DQuat, DVec3};
 use proptest::prelude::*;
-use teeter_physics::{AppliedForce, BodyId, Drive, EnergyBalance, Hand, Input, Params, World};
+use teeter_physics::{AppliedForce, BodyId, Drive, Energy, EnergyBalance, Hand, Input, Params, World};
 use teeter_scene::{Block, CardsOptions, Form, Scene};
 
 /// Largest growth of the energy in a frame over `seconds`, over the energy at the start.
@@ -81,26 +81,36 @@ fn small_blocks_that_meet_deep_inside_each_other_are_not_thrown_apart() {
     }
 }
 
+/// Block that falls on the floor at 1 m/s without gravity, in frames of 0.1 ms: shows `see` the
+/// energies of the start (J) and before and after each frame. Returns the largest energy of springs
+/// over that of the start, and the velocity at the end, m/s.
+fn bounce(mut scene: Scene, frames: usize, see: impl Fn(usize, f64, [Energy; 2])) -> (f64, f64) {
+    scene.blocks[0].velocity = [0.0, 0.0, -1.0];
+    let mut world = World::new(&scene, Params { frame: 1e-4, ..awake() }).unwrap();
+    let start = world.energy().total();
+    let (mut last, mut elastic) = (world.energy(), 0.0f64);
+    for frame in 0..frames {
+        world.step(&Input::default());
+        let now = world.energy();
+        see(frame, start, [last, now]);
+        (last, elastic) = (now, elastic.max(now.elastic));
+    }
+    (elastic / start, world.twist(BodyId(0)).velocity.z)
+}
+
 #[test]
 fn the_energy_of_an_impact_is_seen_at_one_time() {
     for form in [Form::Rigid, Form::Lattice] {
         let mut scene = Scene { restitution: 0.96, form, gravity: 0.0, ..one() };
-        (scene.blocks[0].pos[2], scene.blocks[0].velocity) = (0.0095, [0.0, 0.0, -1.0]);
+        scene.blocks[0].pos[2] = 0.0095;
         scene.springs.stiffness = Some(3e7);
-        let params = Params { frame: 1e-4, ..awake() };
-        let mut world = World::new(&scene, params).unwrap();
-        let start = world.energy().total();
-        let (mut last, mut elastic) = (world.energy(), 0.0f64);
-        for _ in 0..40 {
-            world.step(&Input::default());
-            let now = world.energy();
+        let (elastic, speed) = bounce(scene, 40, |_, start, [last, now]| {
             // The substep in which they meet is the only one that is not resolved.
             let pressed = last.elastic > 0.01 * start && now.elastic > 0.01 * start;
             assert!(!pressed || now.total() < last.total() + 2e-3 * start, "{form:?}: {now:?} after {last:?}");
-            (last, elastic) = (now, elastic.max(now.elastic));
-        }
+        });
         // It bounced, and bore all of the energy on its springs.
-        assert!(elastic > 0.5 * start && world.twist(BodyId(0)).velocity.z > 0.9, "{form:?}: {elastic} of {start}");
+        assert!(elastic > 0.5 && speed > 0.9, "{form:?}: {elastic}, {speed} m/s");
     }
 }
 
@@ -111,21 +121,13 @@ fn the_energy_of_an_impact_never_grows() {
     for (form, phase) in [Form::Rigid, Form::Lattice].into_iter().flat_map(|form| (0..16).map(move |i| (form, i))) {
         let mut scene = Scene { restitution: 0.9, form, gravity: 0.0, stiffness: 5e4, ..one() };
         scene.blocks[0].pos[2] = 0.0095 + 1e-4 / 16.0 * f64::from(phase);
-        scene.blocks[0].velocity = [0.0, 0.0, -1.0];
         scene.springs.stiffness = Some(1.5e6);
-        let params = Params { frame: 1e-4, ..awake() };
-        let mut world = World::new(&scene, params).unwrap();
-        let start = world.energy().total();
-        let (mut last, mut elastic) = (world.energy(), 0.0f64);
-        for frame in 0..60 {
-            world.step(&Input::default());
-            let now = world.energy();
+        let (elastic, speed) = bounce(scene, 60, |frame, start, [last, now]| {
             let gain = (now.total() - last.total()) / start;
             assert!(gain < 1e-6, "{form:?}, phase {phase}, frame {frame}: {gain:e}, {now:?} after {last:?}");
-            (last, elastic) = (now, elastic.max(now.elastic));
-        }
+        });
         // It bounced, and bore all of the energy on its springs.
-        assert!(elastic > 0.5 * start && world.twist(BodyId(0)).velocity.z > 0.8, "{form:?}: {elastic} of {start}");
+        assert!(elastic > 0.5 && speed > 0.8, "{form:?}: {elastic}, {speed} m/s");
     }
 }
 
