@@ -128,7 +128,7 @@ pub const AXIS_HYSTERESIS: f64 = 5e-5;
 pub const CORNER_MERGE: f64 = 1e-4;
 
 /// Depth of a contact that is never free of force, over the smallest edge of its blocks.
-pub const MIN_FREE_DEPTH: f64 = 1e-4;
+pub const MIN_FREE_DEPTH: f64 = 1e-6;
 /// Difference of a gap and its first order between two syncs that exerts no force, over the
 /// smallest edge of the blocks; smaller ones are rounding.
 pub const MIN_SUNK_DEPTH: f64 = 1e-6;

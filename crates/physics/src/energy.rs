@@ -3,9 +3,9 @@
 use glam::DVec3;
 use serde::Serialize;
 
-use crate::body::FLOOR;
 use crate::cluster::Cluster;
-use crate::collision::manifold::{ContactPoint, Manifold};
+use crate::collision::manifold::Manifold;
+use crate::collision::relative_twist::RelativeTwist;
 use crate::collision::stable_spring::stable_spring;
 use crate::constants::{STRAIN_INERTIA, TANGENTIAL_STIFFNESS};
 use crate::lattice::springs::Springs;
@@ -95,9 +95,9 @@ impl Cluster {
     fn contact_energy(&self, manifold: &Manifold) -> f64 {
         let (stiffness, _) = stable_spring(manifold, &self.shapes, &self.bodies);
         let lead = 0.5 * self.shapes.spring.h;
-        let opening_speed = self.opening_speeds(manifold);
+        let motion = RelativeTwist::of(manifold, &self.bodies);
         let squares = manifold.points.iter().map(|p| {
-            let moved = lead * opening_speed(p);
+            let moved = lead * motion.opening(p.arm);
             let at_force = p.gap + manifold.free_depth;
             let (gap, maxwell) = (at_force + moved, p.maxwell + moved);
             if at_force >= 0.0 || gap >= 0.0 {
@@ -111,21 +111,5 @@ impl Cluster {
             p.weight * (normal + TANGENTIAL_STIFFNESS * p.tangential.iter().map(|u| u * u).sum::<f64>())
         });
         0.5 * stiffness * squares.sum::<f64>()
-    }
-
-    /// Speed at which the gap of each point of a contact grows, m/s.
-    fn opening_speeds(&self, manifold: &Manifold) -> impl Fn(&ContactPoint) -> f64 {
-        let (_, axes_a) = self.bodies.pose(manifold.a);
-        let normal = manifold.normal_in_world(&self.bodies, axes_a);
-        // n · (v + w × R x) = n · v + Rᵀ (n × w) · x
-        let of = |i: u32| {
-            if i == FLOOR {
-                return (0.0, DVec3::ZERO);
-            }
-            let ((_, axes), i) = (self.bodies.affine(i), i as usize);
-            (normal.dot(self.bodies.velocity[i]), axes.transpose() * normal.cross(self.bodies.spin[i]))
-        };
-        let ((speed_a, turn_a), (speed_b, turn_b)) = (of(manifold.a), of(manifold.b));
-        move |p| speed_b - speed_a + turn_b.dot(p.anchor_b) - turn_a.dot(p.anchor_a)
     }
 }

@@ -51,17 +51,19 @@ pub fn box_floor(b: &Cuboid, range: Range, last: Option<SeparatingAxis>, to: &mu
     let patch = Patch::new(&sides.map(|(x, y)| Corner { u: x * half[0], v: y * half[1], gap: 0.0 }));
     let middle = b.center + b.axes * center;
     let centroid = DVec3::new(middle.x, middle.y, 0.0);
+    let frame = [DVec3::Z, DVec3::X, DVec3::Y];
     let points = sides.iter().map(|(x, y)| {
         let mut anchor_b = center;
         anchor_b[ip] = x * half[0];
         anchor_b[iq] = y * half[1];
         anchor_b += rise;
         let corner = b.center + b.axes * anchor_b;
-        let mut point = ContactPoint { anchor_b, weight: 0.25, gap: corner.z, ..ContactPoint::default() };
-        point.place_on_floor(corner, centroid);
+        let mut point =
+            ContactPoint { anchor_b, follows: [true; 2], weight: 0.25, gap: corner.z, ..ContactPoint::default() };
+        point.move_on_a(DVec3::new(corner.x, corner.y, 0.0), &frame, centroid);
         point
     });
     to.axis = SeparatingAxis::FaceHigh(k as u8);
-    to.set([FLOOR, b.body], ([DVec3::Z, DVec3::X, DVec3::Y], centroid), &patch, points);
+    to.set([FLOOR, b.body], (frame, centroid), &patch, points);
     PairStatus::Touching(f64::INFINITY)
 }

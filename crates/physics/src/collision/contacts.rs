@@ -1,7 +1,7 @@
 //! Contact manifolds of a cluster, sorted by their keys, and the detection that updates them.
 
 use arrayvec::ArrayVec;
-use glam::DVec2;
+use glam::{DVec2, DVec3};
 use serde::{Deserialize, Serialize};
 
 use crate::body::{Bodies, FLOOR, Shapes, rotate_tensor};
@@ -227,7 +227,7 @@ impl Contacts {
     /// rolls is always smaller. That difference exerts no force, or each sync would add energy.
     pub fn update_gaps(shapes: &Shapes, bodies: &Bodies, manifold: &mut Manifold) -> f64 {
         let before: ArrayVec<f64, MAX_POINTS> = manifold.points.iter().map(|p| p.gap.min(0.0)).collect();
-        set_gaps(bodies, manifold);
+        set_gaps(shapes, bodies, manifold);
         // By the forces of the points: the springs then hold what they held before.
         let (mut work, mut force) = (0.0, 0.0);
         for (before, point) in before.into_iter().zip(&manifold.points).filter(|(_, point)| point.gap < 0.0) {
@@ -246,37 +246,43 @@ impl Contacts {
     }
 }
 
-/// Sets the gaps of a manifold from the poses. The points of a manifold on the floor are corners of
-/// its block: their arms move along with it, and its levers turn.
-fn set_gaps(bodies: &Bodies, manifold: &mut Manifold) {
+/// Sets the gaps of a manifold from the poses. Its points follow B over the face of A, as far as
+/// that reaches, and its levers turn with them.
+fn set_gaps(shapes: &Shapes, bodies: &Bodies, manifold: &mut Manifold) {
     let (center_a, axes_a) = bodies.pose(manifold.a);
     let (center_b, axes_b) = bodies.affine(manifold.b);
-    let normal = manifold.normal_in_world(bodies, axes_a);
+    let [normal, tangents @ ..] = manifold.frame_in_world(bodies, axes_a);
     let axes_a = bodies.strained(manifold.a, axes_a);
-    let on_floor = manifold.a == FLOOR;
-    let before = on_floor.then(|| diagonal(manifold));
+    let half = shapes.half.get(manifold.a as usize).copied().unwrap_or(DVec3::INFINITY);
+    let before = diagonal(manifold);
     for point in &mut manifold.points {
         let on_a = center_a + axes_a * point.anchor_a;
         let on_b = center_b + axes_b * point.anchor_b;
-        point.gap = normal.dot(on_b - on_a);
-        if on_floor {
-            point.place_on_floor(on_b, manifold.centroid);
+        let apart = on_b - on_a;
+        point.gap = normal.dot(apart);
+        if point.follows == [false; 2] {
+            continue;
         }
+        let mut to = point.anchor_a;
+        for k in (0..2).filter(|&k| point.follows[k]) {
+            to += manifold.frame[1 + k] * tangents[k].dot(apart);
+        }
+        point.move_on_a(to.clamp(-half, half), &manifold.frame, manifold.centroid);
     }
-    if let Some(before) = before {
-        turn_levers(manifold, before);
+    if let (Some(before), Some(after)) = (before, diagonal(manifold)) {
+        turn_levers(manifold, before, after);
     }
 }
 
-/// Vector between two opposite corners of a quadrilateral patch, along the tangents, m.
-fn diagonal(manifold: &Manifold) -> DVec2 {
-    let [p, _, q, _] = manifold.points.as_slice() else { return DVec2::ZERO };
-    DVec2::from_array(q.arm) - DVec2::from_array(p.arm)
+/// Vector between two opposite corners of a patch that is a face of B, along the tangents, m.
+fn diagonal(manifold: &Manifold) -> Option<DVec2> {
+    let [p, _, q, _] = manifold.points.as_slice() else { return None };
+    let is_face = manifold.points.iter().all(|p| p.follows == [true; 2]);
+    is_face.then(|| DVec2::from_array(q.arm) - DVec2::from_array(p.arm))
 }
 
-/// Turns the levers of a manifold as its diagonal has turned since it was `before` (m).
-fn turn_levers(manifold: &mut Manifold, before: DVec2) {
-    let after = diagonal(manifold);
+/// Turns the levers of a manifold as its diagonal has turned from `before` to `after` (m).
+fn turn_levers(manifold: &mut Manifold, before: DVec2, after: DVec2) {
     let turn = DVec2::new(before.dot(after), before.perp_dot(after));
     if turn.length() > 0.0 {
         manifold.levers = manifold.levers.turned((turn / turn.length()).to_array());
@@ -286,7 +292,7 @@ fn turn_levers(manifold: &mut Manifold, before: DVec2) {
 /// Limits the energy of a new manifold to that of the last one of its pair.
 fn limit_energy(next: &mut Manifold, last: Option<&mut Manifold>, shapes: &Shapes, bodies: &Bodies) {
     // Strained blocks have other gaps than the boxes that detection takes them for.
-    set_gaps(bodies, next);
+    set_gaps(shapes, bodies, next);
     if next.deepest() == 0.0 {
         return;
     }

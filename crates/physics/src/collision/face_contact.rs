@@ -7,6 +7,9 @@ use crate::collision::manifold::{ContactPoint, Manifold};
 use crate::collision::polygon::{Corner, Patch, Polygon, clip, merge};
 use crate::constants::{CORNER_MERGE, FLAT_SINE, LEVEL_SINE};
 
+/// Distance of a point from a side of a face that is rounding, over half the size of the face.
+const SIDE_TOLERANCE: f64 = 1e-9;
+
 /// Face of a box, and the face of another box that faces it.
 #[derive(Debug, Clone, Copy)]
 pub struct FacePair<'a> {
@@ -78,6 +81,9 @@ impl<'a> FacePair<'a> {
             x
         };
         let frame = a.contact_frame(normal, iu);
+        // Corners of B lie within the sides of the face of A; those made by clipping, on them.
+        let part = rounding(self.facing.sine) * a.radius;
+        let [within_u, within_v] = [iu, iv].map(|i| (1.0 - SIDE_TOLERANCE) * (a.half[i] - part));
         let centroid = local(patch.centroid[0], patch.centroid[1]);
         let inverse = b.axes.transpose();
         let points = polygon.iter().zip(patch.shares).map(|(c, weight)| {
@@ -88,6 +94,7 @@ impl<'a> FacePair<'a> {
                 anchor_a,
                 anchor_b: inverse * (on_b - b.center),
                 arm: [arm.dot(frame[1]), arm.dot(frame[2])],
+                follows: [c.u.abs() < within_u, c.v.abs() < within_v],
                 weight,
                 gap: c.gap,
                 ..ContactPoint::default()

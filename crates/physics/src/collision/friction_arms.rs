@@ -11,45 +11,8 @@ use crate::body::{Bodies, FLOOR, Shapes};
 use crate::collision::friction_levers::{Slip, SlipLevers};
 use crate::collision::manifold::{ContactPoint, Manifold};
 use crate::collision::passivity::thickness;
+use crate::collision::relative_twist::RelativeTwist;
 use crate::constants::{FIRST_TOUCH, SYNC_TIME};
-
-/// Relative motion of the bodies of a manifold at its centroid, along its frame.
-#[derive(Debug, Clone, Copy, Default)]
-struct RelativeTwist {
-    /// Velocity along normal, tangent, tangent, m/s.
-    velocity: [f64; 3],
-    /// Spin about normal, tangent, tangent, rad/s.
-    spin: [f64; 3],
-}
-
-impl RelativeTwist {
-    /// Motion of B relative to A; none where both bodies are [still](Slip::is_negligible).
-    fn of(manifold: &Manifold, shapes: &Shapes, bodies: &Bodies) -> Self {
-        let still = |i: u32| i == FLOOR || Slip::is_negligible(bodies.squared_speed_bound(shapes, i as usize));
-        if still(manifold.a) && still(manifold.b) {
-            return Self::default();
-        }
-        let (center_a, axes_a) = bodies.pose(manifold.a);
-        let frame = manifold.frame_in_world(bodies, axes_a);
-        let at = center_a + axes_a * manifold.centroid;
-        let [(velocity_a, spin_a), (velocity_b, spin_b)] = [manifold.a, manifold.b].map(|i| bodies.twist_at(i, at));
-        Self {
-            velocity: frame.map(|axis| axis.dot(velocity_b - velocity_a)),
-            spin: frame.map(|axis| axis.dot(spin_b - spin_a)),
-        }
-    }
-
-    /// Speed at which a gap grows at an offset from the centroid (m), m/s.
-    fn opening(&self, [x, y]: [f64; 2]) -> f64 {
-        self.velocity[0] + self.spin[1] * y - self.spin[2] * x
-    }
-
-    /// Slip at an offset from the centroid (m).
-    fn slip(&self, [x, y]: [f64; 2]) -> Slip {
-        let [_, u, v] = self.velocity;
-        Slip { velocity: [u - self.spin[0] * y, v + self.spin[0] * x], spin: self.spin[0] }
-    }
-}
 
 /// Lever of friction along the tangents, and turning arm, of each point of a manifold, m.
 pub fn friction_arms(manifold: &Manifold, shapes: &Shapes, bodies: &Bodies) -> impl Fn(&ContactPoint) -> [f64; 3] {
@@ -67,7 +30,7 @@ fn levers(manifold: &Manifold, shapes: &Shapes, bodies: &Bodies) -> ([f64; 2], S
     let flat = flat_share(manifold, tolerance);
     let pressed = weighted_center(manifold, |p| p.normal_force);
     // Most contacts of blocks that tumble are pressed and tilted, and need none.
-    let motion = LazyCell::new(|| RelativeTwist::of(manifold, shapes, bodies));
+    let motion = LazyCell::new(|| motion(manifold, shapes, bodies));
     let center = pressed.unwrap_or_else(|| first_touch(manifold, tolerance, &motion));
     if flat == 0.0 {
         return (center, SlipLevers::of_edge());
@@ -75,6 +38,15 @@ fn levers(manifold: &Manifold, shapes: &Shapes, bodies: &Bodies) -> ([f64; 2], S
     let levers = manifold.levers.at(&motion.slip(center));
     // A patch that lies flat keeps its levers to the last bit.
     (center, if flat < 1.0 { levers.mixed_with_edge(flat) } else { levers })
+}
+
+/// Motion of B relative to A; none where both bodies are [still](Slip::is_negligible).
+fn motion(manifold: &Manifold, shapes: &Shapes, bodies: &Bodies) -> RelativeTwist {
+    let still = |i: u32| i == FLOOR || Slip::is_negligible(bodies.squared_speed_bound(shapes, i as usize));
+    if still(manifold.a) && still(manifold.b) {
+        return RelativeTwist::default();
+    }
+    RelativeTwist::of(manifold, bodies)
 }
 
 /// Centre of the points at which bodies that are apart will touch first: offset from the centroid

@@ -47,13 +47,17 @@ impl Approach {
         Cuboid { center: b.center + self.velocity * self.time, ..*b }
     }
 
-    /// Moves the points of a manifold of faces, found after the motion, back to the present.
+    /// Moves the points of a manifold of faces, found after the motion, back to the present. They
+    /// stay on the face of A where they will then be.
     /// Returns false where the faces are deeper in each other than may be.
     pub fn bring_back(&self, a: &Cuboid, b: &Cuboid, to: &mut Manifold) -> bool {
         let (reference, velocity) = if to.a == a.body { (a, self.velocity) } else { (b, -self.velocity) };
         let change = (reference.axes * to.frame[0]).dot(velocity) * self.time;
         let deepest = to.deepest();
-        to.points.iter_mut().for_each(|p| p.gap -= change);
+        for point in &mut to.points {
+            point.gap -= change;
+            point.follows = [false; 2];
+        }
         deepest <= self.max_depth
     }
 

@@ -38,6 +38,9 @@ pub struct ContactPoint {
     pub anchor_b: DVec3,
     /// Offset from the centroid along the two tangents, m.
     pub arm: [f64; 2],
+    /// True for each tangent along which the point moves with B between detections: both for a
+    /// corner of B, one for a point at which an edge of B crosses a side of A's face.
+    pub follows: [bool; 2],
     /// Share of the manifold's stiffness.
     pub weight: f64,
     /// Separation along the normal, m; negative where the bodies overlap.
@@ -82,12 +85,11 @@ pub struct Manifold {
 }
 
 impl ContactPoint {
-    /// Sets anchor and arm on the floor to those below a corner of the block; corner and centroid
-    /// are in the world, m.
-    pub fn place_on_floor(&mut self, corner: DVec3, centroid: DVec3) {
-        self.anchor_a = DVec3::new(corner.x, corner.y, 0.0);
-        let arm = self.anchor_a - centroid;
-        self.arm = [arm.x, arm.y];
+    /// Moves the point on A, in its frame (m): its arm follows.
+    pub fn move_on_a(&mut self, to: DVec3, frame: &[DVec3; 3], centroid: DVec3) {
+        self.anchor_a = to;
+        let arm = to - centroid;
+        self.arm = [arm.dot(frame[1]), arm.dot(frame[2])];
     }
 
     /// Resets the springs to those of an open point.

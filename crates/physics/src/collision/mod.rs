@@ -16,5 +16,6 @@ pub mod nearest;
 pub mod pair_status;
 pub mod passivity;
 pub mod polygon;
+pub mod relative_twist;
 pub mod separating_axis;
 pub mod stable_spring;

@@ -6,13 +6,14 @@
 use glam::{DMat3, DVec3};
 
 use crate::body::BodyForce;
-use crate::constants::{MIN_STRETCH, SPIN_STRAIN, STRAIN_INERTIA, UNLIMITED};
+use crate::constants::{SPIN_STRAIN, STRAIN_INERTIA, UNLIMITED};
 use crate::kernel::affine_motion::{AffineMotion, AffineWrench};
 use crate::kernel::body_model::{BodyDelta, BodyModel, KernelBody};
+use crate::kernel::edge_rotation::{EdgeInertia, common_rotation};
 use crate::kernel::layout::{Group, Row, row, row_mut};
 use crate::kernel::spring::spring;
 use crate::kernel::uniform_motion::Deviation;
-use crate::kernel::vector::{LaneArray, cross, dot, get3, into_frame, load, load3, out_of_frame, set3, store3};
+use crate::kernel::vector::{LaneArray, cross, get3, into_frame, load, load3, out_of_frame, set3, store3};
 use crate::lattice::affine::{PARTICLES, outer, rest_position, sign, torque_moment};
 use crate::lattice::springs::{KINDS, SPRINGS, Springs, ends};
 use crate::simd::lanes::{Lanes, ROW_LEN, Real, RowRegister as _};
@@ -390,37 +391,35 @@ impl<R: Real> Lattice<R> {
         [u, v]: [&[[L; 3]; PARTICLES]; 2],
         change: &mut [[L; 3]; PARTICLES],
     ) {
-        // The sums are four times the changes of the edges.
-        let ((_, moved), (_, mut rate)) = (signed_sums(u), signed_sums(v));
-        let quarter = L::splat_f64(2.0 / PARTICLES as f64);
-        let mut edge = [[L::zero(); 3]; 3];
+        // The sums along the axes are four times the changes of the edges.
+        let ((sum, moved), (_, mut rate)) = (signed_sums(u), signed_sums(v));
+        let (eighth, quarter) = (L::splat_f64(1.0 / PARTICLES as f64), L::splat_f64(2.0 / PARTICLES as f64));
+        let rest = [load3::<L>(&self.edge[0], part), load3::<L>(&self.edge[1], part), load3::<L>(&self.edge[2], part)];
+        let mut edge = rest;
         for k in 0..3 {
-            let rest = load3::<L>(&self.edge[k], part);
             for i in 0..3 {
-                edge[k][i] = rest[i] + moved[k][i] * quarter;
+                edge[k][i] = rest[k][i] + moved[k][i] * quarter;
                 rate[k][i] = rate[k][i] * quarter;
             }
         }
-        // A crushed or stretched block has other inertia than one at rest.
-        let [x, y, z] = [0, 1, 2].map(|k| {
-            let (square, rest) = (dot(&edge[k], &edge[k]), load3::<L>(&self.edge[k], part));
-            let min = dot(&rest, &rest) * L::splat_f64(MIN_STRETCH.x);
-            L::select(square.less_than(min), min, square)
-        });
-        let one = L::splat_f64(1.0);
-        let inv = [one / (x * (y + z)), one / (y * (z + x)), one / (z * (x + y))];
-        let spin = common_rotation(&edge, &inv, &rate);
+        let inertia = EdgeInertia::new(&edge, &rest);
+        let spin = inertia.common_rotation(&edge, &rate);
         let inward = [0, 1, 2].map(|k| cross(&spin, &cross(&spin, &edge[k])));
         // The rotation as a whole has no part in it: the angular momentum stays.
-        let rotation = common_rotation(&edge, &inv, &inward);
-        let half = load::<L>(&self.centripetal, part) * L::splat_f64(0.5);
-        for k in 0..3 {
-            let rotated = cross(&rotation, &edge[k]);
+        let rotation = inertia.common_rotation(&edge, &inward);
+        let (centripetal, half) = (load::<L>(&self.centripetal, part), L::splat_f64(0.5));
+        for (particle, change) in change.iter_mut().enumerate() {
+            let mut x = [L::zero(); 3];
             for i in 0..3 {
-                let x = half * (inward[k][i] - rotated[i]);
-                for (particle, change) in change.iter_mut().enumerate() {
-                    change[i] = if sign(particle, k) > 0.0 { change[i] + x } else { change[i] - x };
+                x[i] = u[particle][i] - sum[i] * eighth;
+                for k in 0..3 {
+                    let to_side = half * rest[k][i];
+                    x[i] = if sign(particle, k) > 0.0 { x[i] + to_side } else { x[i] - to_side };
                 }
+            }
+            let (inward, rotated) = (cross(&spin, &cross(&spin, &x)), cross(&rotation, &x));
+            for i in 0..3 {
+                change[i] += centripetal * (inward[i] - rotated[i]);
             }
         }
     }
@@ -510,16 +509,6 @@ impl<R: Real> Lattice<R> {
         }
         (sum / PARTICLES as f64, rotation)
     }
-}
-
-/// Common rotation β of changes x of the edges e, which solves Σ e × x = Σ e × (β × e); `inv` is
-/// 1 / (|e_k|² Σ |e_j|²) with the sum over the two other edges.
-#[inline(always)]
-fn common_rotation<L: Lanes>(edge: &[[L; 3]; 3], inv: &[L; 3], change: &[[L; 3]; 3]) -> [L; 3] {
-    let (x, y, z) = (cross(&edge[0], &change[0]), cross(&edge[1], &change[1]), cross(&edge[2], &change[2]));
-    let torque = [x[0] + y[0] + z[0], x[1] + y[1] + z[1], x[2] + y[2] + z[2]];
-    let [x, y, z] = into_frame(edge, &torque);
-    out_of_frame(edge, &[x * inv[0], y * inv[1], z * inv[2]])
 }
 
 /// Sum of vectors at the particles, and their sums with the signs of the particles along each axis.

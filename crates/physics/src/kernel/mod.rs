@@ -10,6 +10,7 @@ pub mod affine_motion;
 pub mod any_kernel;
 pub mod body_model;
 pub mod contact_law;
+pub mod edge_rotation;
 pub mod inner_loop;
 pub mod lattice;
 pub mod layout;

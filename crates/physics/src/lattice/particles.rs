@@ -109,3 +109,34 @@ pub fn zero_velocities(bodies: &Bodies, particles: &mut [Particles]) {
         particles.velocity = [DVec3::ZERO; PARTICLES];
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use teeter_scene::{Form, named};
+
+    use super::*;
+    use crate::input::Input;
+    use crate::params::Params;
+    use crate::world::World;
+
+    #[test]
+    fn a_soft_block_that_spins_keeps_its_angular_momentum() {
+        for spin in [[100.0, 100.0, 100.0], [150.0, 0.0, 120.0]] {
+            let mut scene = named("block").unwrap();
+            (scene.form, scene.gravity, scene.springs.stiffness) = (Form::Lattice, 0.0, Some(1e3));
+            (scene.blocks[0].pos[2], scene.blocks[0].spin) = (1.0, spin);
+            let mut world = World::new(&scene, Params::default()).unwrap();
+            let momentum = |world: &World| -> DVec3 {
+                let cluster = &world.clusters.list[0];
+                let (particles, (_, axes)) = (&cluster.particles[0], cluster.bodies.pose(0));
+                let half = cluster.shapes.particles[0];
+                let at = |i: usize| axes * (rest_position(half, i) + particles.displacement[i]);
+                (0..PARTICLES).map(|i| at(i).cross(particles.velocity[i])).sum()
+            };
+            let start = momentum(&world);
+            (0..60).for_each(|_| drop(world.step(&Input::default())));
+            let change = (momentum(&world) - start).length() / start.length();
+            assert!(change < 1e-3, "{spin:?}: changes by {change:.1e}");
+        }
+    }
+}

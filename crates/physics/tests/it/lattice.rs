@@ -381,3 +381,22 @@ fn a_spinning_block_is_strained_by_the_forces_that_turn_its_particles() {
         assert!((virial / expected - 1.0).abs() < 0.01, "{virial} {expected}");
     }
 }
+
+#[test]
+fn a_soft_block_that_spins_about_any_axis_gains_no_energy() {
+    // Strained by up to 6 %; springs so soft would let the particles fly off in a second.
+    for spin in [[100.0, 100.0, 100.0], [150.0, 0.0, 120.0], [30.0, 160.0, 90.0]] {
+        let mut scene = springs_of(1e3, in_space(one()));
+        (scene.blocks[0].pos[2], scene.blocks[0].spin) = (1.0, spin);
+        let mut world = World::new(&scene, awake()).unwrap();
+        let mut last = world.energy();
+        let start = last.total();
+        for frame in 0..60 {
+            world.step(&Input::default());
+            let energy = world.energy();
+            let gain = (energy.total() - last.total()) / start;
+            assert!(gain < 1e-5, "{spin:?}, frame {frame}: {gain:.1e}, with {:.1e} in springs", energy.elastic / start);
+            last = energy;
+        }
+    }
+}

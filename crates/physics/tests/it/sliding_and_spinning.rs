@@ -135,6 +135,26 @@ fn the_floor_bears_a_sliding_block_where_the_block_is() {
 }
 
 #[test]
+fn a_plank_bears_a_sliding_block_where_the_block_is() {
+    // The block is the higher or the lower body of the pair, and slides along the plank or askew.
+    for (order, yaw, speed) in [([0, 1], 0.0, 0.1), ([1, 0], 0.0, 2.0), ([0, 1], 0.4, 0.5), ([1, 0], 1.2, 0.5)] {
+        let plank = Block { fixed: true, ..Block::new(order[0], [2.0, 0.3, 0.02], 1.0, [0.8, 0.0, 0.01]) };
+        let block = Block { yaw, ..Block::new(order[1], SIZE, MASS, [0.0, 0.0, 0.02 + 0.5 * SIZE[2]]) };
+        let mut list = vec![plank, block];
+        list.sort_by_key(|block| block.id);
+        let mut world = World::new(&Scene { friction: 0.0, blocks: list, ..one() }, awake()).unwrap();
+        run(&mut world, 0.5, &Input::default());
+        let id = BodyId(order[1]);
+        world.set_twist(id, Twist::linear(DVec3::new(speed, 0.0, 0.0)));
+        for frame in 0..30 {
+            world.step(&Input::default());
+            let load = world.contacts(id)[0].point - world.pose(id).position;
+            assert!(load.truncate().length() < 1e-4, "{order:?} {yaw} {speed}, frame {frame}: {load}");
+        }
+    }
+}
+
+#[test]
 fn a_small_block_that_tumbles_over_the_floor_does_not_sink() {
     for seed in 0..12 {
         let mut random = Random::new(seed);
