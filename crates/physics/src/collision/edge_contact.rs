@@ -5,7 +5,7 @@ use arrayvec::ArrayVec;
 use glam::DVec3;
 
 use crate::collision::cuboid::Cuboid;
-use crate::collision::manifold::{ContactPoint, MAX_POINTS, Manifold};
+use crate::collision::manifold::{ContactPoint, MAX_POINTS, Manifold, arm};
 use crate::collision::nearest::{Feature, Nearest};
 use crate::collision::polygon::{LINE_TORSION_RATIO, Patch};
 use crate::constants::{EDGE_AREA, MIN_EDGE_SINE};
@@ -95,11 +95,10 @@ fn set_points(a: &Cuboid, b: &Cuboid, normal: DVec3, pairs: &Pairs, to: &mut Man
     let centroid = in_a * (pairs.iter().map(|[on_a, _]| *on_a).sum::<DVec3>() * share - a.center);
     let points = pairs.iter().map(|[on_a, on_b]| {
         let anchor_a = in_a * (*on_a - a.center);
-        let arm = anchor_a - centroid;
         ContactPoint {
             anchor_a,
             anchor_b: in_b * (*on_b - b.center),
-            arm: [arm.dot(frame[1]), arm.dot(frame[2])],
+            arm: arm(anchor_a, &frame, centroid),
             weight: share,
             gap: normal.dot(*on_b - *on_a),
             ..ContactPoint::default()

@@ -3,7 +3,7 @@
 use glam::DVec3;
 
 use crate::collision::cuboid::{Cuboid, Facing};
-use crate::collision::manifold::{ContactPoint, Manifold};
+use crate::collision::manifold::{ContactPoint, Manifold, arm};
 use crate::collision::polygon::{Corner, Patch, Polygon, clip, merge};
 use crate::constants::{CORNER_MERGE, FLAT_SINE, LEVEL_SINE};
 
@@ -89,11 +89,10 @@ impl<'a> FacePair<'a> {
         let points = polygon.iter().zip(patch.shares).map(|(c, weight)| {
             let anchor_a = local(c.u, c.v);
             let on_b = plane + u * c.u + v * c.v + normal * c.gap;
-            let arm = anchor_a - centroid;
             ContactPoint {
                 anchor_a,
                 anchor_b: inverse * (on_b - b.center),
-                arm: [arm.dot(frame[1]), arm.dot(frame[2])],
+                arm: arm(anchor_a, &frame, centroid),
                 follows: [c.u.abs() < within_u, c.v.abs() < within_v],
                 weight,
                 gap: c.gap,

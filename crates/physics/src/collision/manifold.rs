@@ -88,8 +88,7 @@ impl ContactPoint {
     /// Moves the point on A, in its frame (m): its arm follows.
     pub fn move_on_a(&mut self, to: DVec3, frame: &[DVec3; 3], centroid: DVec3) {
         self.anchor_a = to;
-        let arm = to - centroid;
-        self.arm = [arm.dot(frame[1]), arm.dot(frame[2])];
+        self.arm = arm(to, frame, centroid);
     }
 
     /// Resets the springs to those of an open point.
@@ -278,6 +277,12 @@ impl Manifold {
             }
         }
     }
+}
+
+/// Offset of a point from the centroid along the tangents of a frame, all in the frame of A, m.
+pub fn arm(anchor_a: DVec3, frame: &[DVec3; 3], centroid: DVec3) -> [f64; 2] {
+    let offset = anchor_a - centroid;
+    [offset.dot(frame[1]), offset.dot(frame[2])]
 }
 
 /// Sort key of a pair, the same for both orders: lower index first, the floor lowest.

@@ -363,11 +363,17 @@ impl<R: Real> Lattice<R> {
         change
     }
 
+    /// Edges of the unstrained blocks, m.
+    #[inline(always)]
+    fn rest_edges<L: Lanes<Scalar = R>>(&self, part: usize) -> [[L; 3]; 3] {
+        [load3::<L>(&self.edge[0], part), load3::<L>(&self.edge[1], part), load3::<L>(&self.edge[2], part)]
+    }
+
     /// Divides the change of the axes' velocities by [`STRAIN_INERTIA`], except for their common
     /// rotation.
     #[inline(always)]
     fn reduce_strain<L: Lanes<Scalar = R>>(&self, part: usize, along: &mut [[L; 3]; 3]) {
-        let edge = [load3::<L>(&self.edge[0], part), load3::<L>(&self.edge[1], part), load3::<L>(&self.edge[2], part)];
+        let edge = self.rest_edges::<L>(part);
         // h² times half the angular acceleration.
         let rotation = common_rotation(&edge, &load3::<L>(&self.inv_rotation, part), along);
         let (strain, rigid) = (L::splat_f64(1.0 / STRAIN_INERTIA), L::splat_f64(1.0 - 1.0 / STRAIN_INERTIA));
@@ -394,7 +400,7 @@ impl<R: Real> Lattice<R> {
         // The sums along the axes are four times the changes of the edges.
         let ((sum, moved), (_, mut rate)) = (signed_sums(u), signed_sums(v));
         let (eighth, quarter) = (L::splat_f64(1.0 / PARTICLES as f64), L::splat_f64(2.0 / PARTICLES as f64));
-        let rest = [load3::<L>(&self.edge[0], part), load3::<L>(&self.edge[1], part), load3::<L>(&self.edge[2], part)];
+        let rest = self.rest_edges::<L>(part);
         let mut edge = rest;
         for k in 0..3 {
             for i in 0..3 {
@@ -432,8 +438,7 @@ impl<R: Real> Lattice<R> {
         u: &[[L; 3]; PARTICLES],
         change: &mut [[L; 3]; PARTICLES],
     ) {
-        let [x, y, z] =
-            [load3::<L>(&self.edge[0], part), load3::<L>(&self.edge[1], part), load3::<L>(&self.edge[2], part)];
+        let [x, y, z] = self.rest_edges::<L>(part);
         // Rest vectors from the lower to the higher particle: positive along the highest axis that
         // they span.
         let (y_plus, y_minus) = (sum(&y, &x), difference(&y, &x));
