@@ -5,7 +5,7 @@ use std::fmt;
 
 use glam::{DQuat, DVec3};
 use teeter_physics::{EnergyBalance, Input, Params, World};
-use teeter_scene::{Block, Form, Random, Scene, Springs, overlap};
+use teeter_scene::{Block, Form, Penetration, Random, Scene, Springs};
 
 /// Largest gain of a frame over the energy at the start.
 const MAX_GAIN: f64 = 1e-3;
@@ -76,7 +76,8 @@ impl Extremes {
         for _ in 0..world.frames(seconds) {
             let report = world.step(&Input::default());
             balance.record(&world, &report);
-            extremes.depth = extremes.depth.max(deepest(&world.to_scene()));
+            let deepest = Penetration::deepest(&world.to_scene(), extremes.depth);
+            extremes.depth = deepest.map_or(extremes.depth, |penetration| penetration.share);
             extremes.syncs = extremes.syncs.max(f64::from(report.syncs) / f64::from(report.substeps.max(1)));
             extremes.quarantined += report.quarantined.len();
             extremes.excess = extremes.excess.max(report.substeps.saturating_sub(substeps));
@@ -93,17 +94,6 @@ impl Extremes {
         let substeps = (self.excess > 0).then_some(Violation::Substeps(self.excess));
         [gain, depth, quarantine, substeps].into_iter().flatten()
     }
-}
-
-/// Largest depth of a block in another or in the floor, over the smallest edge of the two.
-fn deepest(scene: &Scene) -> f64 {
-    let edge = |block: &Block| block.size.iter().copied().fold(f64::INFINITY, f64::min);
-    let in_floor = scene.blocks.iter().map(|block| -overlap::lowest_point(block, scene.edge_radius) / edge(block));
-    let in_others = overlap::pairs(scene, 0.0).into_iter().map(|pair| {
-        let [a, b] = [pair.first, pair.second].map(|i| edge(&scene.blocks[i]));
-        pair.depth / a.min(b)
-    });
-    in_floor.chain(in_others).fold(0.0, f64::max)
 }
 
 /// Scene of two to six blocks in any orientation above each other, thrown down and spinning.

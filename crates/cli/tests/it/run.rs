@@ -263,3 +263,21 @@ fn an_end_state_with_deep_contacts_comes_with_a_warning() {
     teeter(&["run", path]).error_line();
     assert_eq!(self::report(&[path, "--settle", "--seconds", "1"])["stands"], true);
 }
+
+/// A body of 400 kg falls by 15 m onto a cube of 8 kg: its contacts give by more than half an edge.
+#[test]
+fn an_impact_that_presses_a_block_halfway_into_another_is_a_warning() {
+    let scene = |stiffness: f64| {
+        let light = r#"{"id": 3, "size": [0.089, 0.089, 0.089], "mass": 8, "pos": [0, 0, 0.0445]}"#;
+        let heavy = r#"{"id": 7, "size": [0.4, 0.4, 0.4], "mass": 400, "pos": [0.01, 0.02, 15.289]}"#;
+        format!(r#"{{"name": "impact", "friction": 0.4, "stiffness": {stiffness}, "blocks": [{light}, {heavy}]}}"#)
+    };
+    let warnings = |stiffness| {
+        let done = teeter_with(&["run", "-", "--seconds", "2", "--json"], scene(stiffness).as_bytes());
+        done.json()["warnings"].clone()
+    };
+    let soft = warnings(3e5);
+    let text = soft[0].as_str().unwrap();
+    assert!(text.contains("block 3 was ") && text.contains(" mm deep in the floor"), "{text}");
+    assert_eq!(warnings(1e7), serde_json::json!([]));
+}

@@ -2,7 +2,7 @@
 
 use teeter_game::{Blocks, FallDetector, FrameEnd};
 use teeter_physics::{BodyId, EnergyBalance, StepReport, World};
-use teeter_scene::Scene;
+use teeter_scene::{Penetration, Scene};
 use teeter_study::{Footing, ReferencePositions, max_height, scene_height};
 
 use super::report::{EnergyReport, Report};
@@ -12,6 +12,15 @@ use crate::warnings::Warnings;
 const CREEP_FROM: f64 = 2.0;
 /// Gain of a frame over the energy available from which a run is doubtful.
 const MAX_GAIN: f64 = 1e-3;
+
+/// Penetration over the smallest edge of the two blocks from which a run is doubtful.
+const MAX_PENETRATION: f64 = 0.5;
+
+/// Deepest penetration at the end of a frame.
+struct Deepest {
+    time: f64,
+    penetration: Penetration,
+}
 
 /// Measurements while a world runs.
 pub struct Recorder {
@@ -27,6 +36,10 @@ pub struct Recorder {
     displacement: f64,
     creep: Option<f64>,
     penetration: f64,
+    /// Smallest edge of all blocks, m.
+    smallest_edge: f64,
+    /// Deepest penetration of those above [`MAX_PENETRATION`].
+    deepest: Option<Deepest>,
     rms_speed: f64,
     asleep_at_s: Option<f64>,
     energy: EnergyBalance,
@@ -45,6 +58,8 @@ impl Recorder {
             displacement: 0.0,
             creep: None,
             penetration: 0.0,
+            smallest_edge: scene.blocks.iter().flat_map(|block| block.size).fold(f64::INFINITY, f64::min),
+            deepest: None,
             rms_speed: 0.0,
             asleep_at_s: None,
             energy: EnergyBalance::new(world),
@@ -58,6 +73,7 @@ impl Recorder {
         self.falls.observe(&self.blocks, FrameEnd { time: step.time, max_speed: step.rms_speed, held });
         self.displacement = self.displacement.max(self.start.max_displacement(world));
         self.penetration = self.penetration.max(step.penetration);
+        self.record_deepest(world, step);
         self.rms_speed = step.rms_speed;
         self.energy.record(world, step);
         self.asleep_at_s = if step.awake == 0 { self.asleep_at_s.or(Some(step.time)) } else { None };
@@ -66,6 +82,31 @@ impl Recorder {
             None if step.time >= CREEP_FROM - 1e-9 => self.settled = Some(ReferencePositions::of(world)),
             None => {}
         }
+    }
+
+    fn record_deepest(&mut self, world: &World, step: &StepReport) {
+        let share = self.deepest.as_ref().map_or(MAX_PENETRATION, |deepest| deepest.penetration.share);
+        if step.penetration <= share * self.smallest_edge {
+            return;
+        }
+        if let Some(penetration) = Penetration::deepest(&world.to_scene(), share) {
+            self.deepest = Some(Deepest { time: step.time, penetration });
+        }
+    }
+
+    /// Returns a warning about a block that was pressed into another one or the floor by more than
+    /// half of an edge, as impacts do to soft contacts.
+    pub fn depth_warning(&self, scene: &Scene) -> Option<String> {
+        let Deepest { time, penetration } = self.deepest.as_ref()?;
+        let id = |i: usize| scene.blocks[i].id;
+        let other = penetration.other.map_or("the floor".into(), |other| format!("block {}", id(other)));
+        Some(format!(
+            "at {time:.2} s block {} was {:.1} mm deep in {other}, {:.0} % of an edge: results are doubtful, and a \
+             larger `stiffness` gives a smaller depth",
+            id(penetration.block),
+            1e3 * penetration.depth(),
+            1e2 * penetration.share,
+        ))
     }
 
     /// Returns a warning about a frame that gained energy.

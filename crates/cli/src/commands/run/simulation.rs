@@ -58,9 +58,8 @@ impl<'a> Simulation<'a> {
     pub fn finish(mut self, out: Option<Output>) -> Result<Report, Error> {
         self.trace.take().map_or(Ok(()), Trace::finish)?;
         self.warnings.add_pending(&self.timeline);
-        if let Some(warning) = self.recorder.energy_warning() {
-            self.warnings.add(&warning);
-        }
+        let doubts = [self.recorder.energy_warning(), self.recorder.depth_warning(self.scene)];
+        doubts.iter().flatten().for_each(|warning| self.warnings.add(warning));
         if let Some(mut out) = out {
             let end = self.world.to_scene();
             if let Err(error) = end.validate() {
