@@ -132,7 +132,7 @@ pub fn random_scene(random: &mut Random, range: Range) -> Scene {
             ..block
         });
     }
-    let smallest = blocks.iter().flat_map(|block| block.size).fold(f64::INFINITY, f64::min);
+    let smallest = blocks.iter().map(Block::smallest_edge).fold(f64::INFINITY, f64::min);
     Scene {
         name: "random".into(),
         gravity: 9.81,

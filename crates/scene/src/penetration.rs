@@ -37,8 +37,7 @@ impl Penetration {
     /// Finds the deepest penetration, relative to the smallest edge of the two blocks, that is more
     /// than `share` of it. Fixed blocks may be in each other and in the floor.
     pub fn deepest(scene: &Scene, share: f64) -> Option<Self> {
-        let edge = |block: &Block| block.size.iter().copied().fold(f64::INFINITY, f64::min);
-        let edges: Vec<f64> = scene.blocks.iter().map(edge).collect();
+        let edges: Vec<f64> = scene.blocks.iter().map(Block::smallest_edge).collect();
         let movable = scene.blocks.iter().enumerate().filter(|(_, block)| !block.fixed);
         let in_floor = movable.map(|(i, block)| {
             let depth = -overlap::lowest_point(block, scene.edge_radius);

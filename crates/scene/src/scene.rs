@@ -50,6 +50,11 @@ impl Block {
         Self { id, size, mass, pos, yaw: 0.0, orientation: None, velocity, spin, fixed: false, friction: None }
     }
 
+    /// Returns the length of the smallest edge, m.
+    pub fn smallest_edge(&self) -> f64 {
+        self.size.into_iter().fold(f64::INFINITY, f64::min)
+    }
+
     /// Returns the orientation as a quaternion x, y, z, w of unit length.
     pub fn rotation(&self) -> [f64; 4] {
         let q = self.orientation.unwrap_or([0.0, 0.0, libm::sin(self.yaw / 2.0), libm::cos(self.yaw / 2.0)]);

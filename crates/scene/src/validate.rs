@@ -119,9 +119,9 @@ impl Scene {
 
     /// Checks that the edges of every block leave a face between them.
     fn validate_edge_radius(&self) -> Result<(), SceneError> {
-        let edge = |b: &Block| b.size.iter().copied().fold(f64::INFINITY, f64::min);
-        let Some(smallest) = self.blocks.iter().min_by(|a, b| edge(a).total_cmp(&edge(b))) else { return Ok(()) };
-        let max = edge(smallest) / 3.0;
+        let by_edge = |a: &&Block, b: &&Block| a.smallest_edge().total_cmp(&b.smallest_edge());
+        let Some(smallest) = self.blocks.iter().min_by(by_edge) else { return Ok(()) };
+        let max = smallest.smallest_edge() / 3.0;
         // A third in decimals may be above a third in binary by a rounding.
         if (0.0..=max * (1.0 + 1e-12)).contains(&self.edge_radius) {
             return Ok(());

@@ -52,16 +52,12 @@ pub fn is_accounted(shapes: &Shapes, bodies: &Bodies, i: usize, delta: &BodyDelt
     let mut energy =
         0.5 * shapes.mass[i] * delta.velocity.length_squared() + spin_energy(shapes, bodies, i, delta.spin);
     if let Some(particles) = &delta.particles {
-        // `f64::max` passes over what is not a number.
-        if particles.iter().any(|(_, v)| !v.is_finite()) {
-            return false;
-        }
         let squares = || particles.iter().map(|(_, v)| v.length_squared());
         speed = speed.max(squares().fold(0.0, f64::max).sqrt());
         energy = 0.5 * shapes.mass[i] / PARTICLES as f64 * squares().sum::<f64>();
     }
-    // Numbers that are not finite fail every comparison.
-    speed < RUNAWAY_SPEED || (speed < MAX_SPEED && energy <= BOOK_FACTOR * entered)
+    // The maximum passes over particles whose speed is not a number, their energy does not.
+    energy.is_finite() && (speed < RUNAWAY_SPEED || (speed < MAX_SPEED && energy <= BOOK_FACTOR * entered))
 }
 
 /// Energy of the rotation of body `i` at a spin (rad/s), J.
@@ -157,8 +153,7 @@ mod tests {
         let accounted = |particle: usize, velocity: DVec3| {
             let mut particles = [(DVec3::ZERO, DVec3::ZERO); PARTICLES];
             particles[particle].1 = velocity;
-            let still = [DVec3::ZERO; 4];
-            let [displacement, rotation, velocity, spin] = still;
+            let [displacement, rotation, velocity, spin] = [DVec3::ZERO; 4];
             let delta = BodyDelta { displacement, rotation, velocity, spin, particles: Some(particles) };
             is_accounted(&cluster.shapes, &cluster.bodies, 0, &delta, 1e300)
         };

@@ -2,7 +2,7 @@
 
 use teeter_game::{Blocks, FallDetector, FrameEnd};
 use teeter_physics::{BodyId, EnergyBalance, StepReport, World};
-use teeter_scene::{Penetration, Scene};
+use teeter_scene::{Block, Penetration, Scene};
 use teeter_study::{Footing, ReferencePositions, max_height, scene_height};
 
 use super::report::{EnergyReport, Report};
@@ -58,7 +58,7 @@ impl Recorder {
             displacement: 0.0,
             creep: None,
             penetration: 0.0,
-            smallest_edge: scene.blocks.iter().flat_map(|block| block.size).fold(f64::INFINITY, f64::min),
+            smallest_edge: scene.blocks.iter().map(Block::smallest_edge).fold(f64::INFINITY, f64::min),
             deepest: None,
             rms_speed: 0.0,
             asleep_at_s: None,
